@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace toss {
+
+/// Index of a voxel: floor(p / voxelSize) per axis, 3 x 21 bits (spec section 8.2).
+using VoxelKey = std::uint64_t;
+
+/// What a set of returns adds to one voxel. Whole numbers only, so that adding and subtracting are
+/// exactly inverse and the order of insertions does not show.
+struct VoxelContribution {
+  VoxelKey key = 0;
+  /// Returns counted.
+  std::uint32_t count = 0;
+  /// Sums of the offsets inside the voxel, in 1/65536 of the voxel size.
+  std::uint32_t x = 0, y = 0, z = 0;
+  /// Sum of intensities, in 1/65536 of the unit of the input; negative ones count as 0.
+  std::uint64_t intensity = 0;
+};
+
+/// One point of a finished map.
+struct MapPoint {
+  /// Map frame [m].
+  float x = 0, y = 0, z = 0;
+  /// Mean intensity, unit of the input.
+  float intensity = 0;
+};
+
+/// Sparse voxel map whose contributions can be taken back bit by bit.
+class VoxelMap {
+ public:
+  /// `voxelSize` [m], greater than 0. `origin`: map coordinates [m] of the corner of voxel 0,0,0;
+  /// keys reach 2^20 voxels from it each way. Throws UserError for a size out of range.
+  explicit VoxelMap(double voxelSize, const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
+  ~VoxelMap();
+
+  /// Bins returns into voxels: level coordinates x, y, z [m] (shape [n]; see LevelPoints) plus
+  /// `sensorPosition` [m, map frame], of which `indices` are taken. At most `cap` returns per
+  /// voxel and call are counted, lowest index first. Replaces `result`, ordered by key.
+  void bin(const std::vector<float>& x, const std::vector<float>& y, const std::vector<float>& z,
+           const std::vector<float>& intensity, const Eigen::Vector3d& sensorPosition,
+           const std::vector<std::int32_t>& indices, std::uint32_t cap,
+           std::vector<VoxelContribution>& result) const;
+
+  void add(const std::vector<VoxelContribution>& contributions);
+  /// Takes back what was added. Subtracting what was never added is a logic error and throws.
+  void subtract(const std::vector<VoxelContribution>& contributions);
+
+  /// Voxels that hold at least one return.
+  std::size_t size() const;
+  /// Centroid and mean intensity of every voxel, by ascending key.
+  std::vector<MapPoint> points() const;
+  double voxelSize() const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace toss

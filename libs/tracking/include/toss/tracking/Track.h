@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/geometry/Box.h>
+
+#include <Eigen/Core>
+#include <cstdint>
+
+namespace toss {
+
+/// Identity of a trace, counted from 1 over the whole run and never given twice; 0 = no trace.
+using TrackId = std::uint64_t;
+
+/// Coarse class of a trace (spec section 6): dynamic traces are Weak or Strong. Strong ones have
+/// travelled so far that voting may not return them to static (spec section 7.3).
+enum class MotionClass : std::uint8_t { Static, Weak, Strong };
+
+inline bool isDynamic(MotionClass motion) { return motion != MotionClass::Static; }
+
+/// A trace as it stands after the last scan.
+struct Track {
+  TrackId id = 0;
+  /// Estimated box, map frame; predicted where `updated` is false.
+  Box box;
+  /// Estimated velocity of the centre [m/s], map frame.
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+  /// Time of the first detection [s], and of the estimate [s].
+  double birthTime = 0.0, time = 0.0;
+  /// Detections in all, and scans in a row without one.
+  int hits = 0, misses = 0;
+  /// Index of the detection of the last scan, -1 where it was missed.
+  std::int32_t detection = -1;
+  /// Coarse class; goes from Static to Weak to Strong, never back.
+  MotionClass motion = MotionClass::Static;
+
+  bool updated() const { return detection >= 0; }
+  double speed() const { return velocity.head<2>().norm(); }
+};
+
+}  // namespace toss

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/tracking/Detection.h>
+#include <toss/tracking/Track.h>
+#include <toss/tracking/TrackingOptions.h>
+
+#include <memory>
+#include <vector>
+
+namespace toss {
+
+/// Multi-object tracking (paper section 3DMOT): constant-velocity Kalman filters, hierarchical
+/// association, birth and death of traces, and the coarse motion class of each.
+class Tracker {
+ public:
+  /// Throws UserError for options out of range.
+  explicit Tracker(const TrackingOptions& options);
+  ~Tracker();
+
+  /// Predicts all traces to `time` [s] (later than the last call's), associates `detections` with
+  /// them, updates, starts and ends traces, and classifies their motion.
+  void update(double time, const std::vector<Detection>& detections);
+
+  /// Trace of each detection of the last scan, 0 for background and for boxes with too few points,
+  /// shape [detections].
+  const std::vector<TrackId>& trackOfDetection() const;
+  /// Traces that are alive, by ascending id, coasting ones included.
+  const std::vector<Track>& tracks() const;
+  /// Traces that ended with the last scan, by ascending id, in their last state.
+  const std::vector<Track>& ended() const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace toss

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/tracking/Track.h>
+#include <toss/voting/VotingOptions.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace toss {
+
+/// Identity of a box that is voted on: counted from 0 in the order of DsVoting::add.
+using BoxId = std::uint64_t;
+
+/// A box of one scan, as a voter and as what is voted on.
+struct VotingBox {
+  /// Number of the scan; boxes of one scan share it and give at most one vote together.
+  std::int64_t scan = 0;
+  /// Time of the scan [s].
+  double time = 0.0;
+  /// Centre of the box [m], map frame.
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  /// Volume of the box [m^3] and longer horizontal edge [m].
+  double volume = 0.0, extent = 0.0;
+  /// Horizontal speed of its trace [m/s]; 0 without a trace.
+  double speed = 0.0;
+  /// Trace of the box, 0 = none: then it votes for nothing, and is voted on as static.
+  TrackId track = 0;
+};
+
+/// DS-Voting (paper section DS-Voting, f, N_dyn, N_stat; spec section 7): decides for every box
+/// whether it is static or dynamic from the traces that come near its centre at neighbouring times
+/// and at distant ones. Works scan by scan and revises its labels as votes come in and as traces
+/// turn dynamic; with an infinite horizon the labels equal voteOffline() exactly.
+class DsVoting {
+ public:
+  /// Throws UserError for options out of range.
+  explicit DsVoting(const VotingOptions& options);
+  ~DsVoting();
+
+  /// Takes all boxes of one scan together (a later scan than the last call's), with the present
+  /// class of their traces already set by setTrackClass. Returns the id of the first; the others
+  /// follow in order.
+  BoxId addScan(const std::vector<VotingBox>& boxes);
+  /// The coarse class of a trace. Unknown traces are Static. May be raised at any time, for the
+  /// whole life of the trace: all its boxes are judged and vote anew (back-propagation).
+  void setTrackClass(TrackId track, MotionClass motion);
+
+  /// Label after all votes so far. The box must not be released.
+  bool isDynamic(BoxId box) const;
+  /// Votes so far {N_dyn, N_stat}, for inspection.
+  struct Votes {
+    int dynamic = 0, stationary = 0;
+  };
+  Votes votes(BoxId box) const;
+
+  /// Boxes whose label changed since the last call, ascending, each once. A new box counts as
+  /// static before its scan is added.
+  std::vector<BoxId> takeChanges();
+
+  /// Forgets what is needed only to judge `box`; it goes on voting. For boxes whose label the
+  /// caller has settled: bounds the memory of long runs.
+  void release(BoxId box);
+  /// Forgets voters older than `time` [s]: the horizon of an online run.
+  void forgetBefore(double time);
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/// The same decision with the whole log at hand, straight from the definition: the label of each of
+/// `boxes` (any order) given the final class of the traces, `classes[i]` of boxes[i]. Quadratic;
+/// the reference for DsVoting.
+std::vector<bool> voteOffline(const std::vector<VotingBox>& boxes,
+                              const std::vector<MotionClass>& classes,
+                              const VotingOptions& options);
+
+}  // namespace toss
