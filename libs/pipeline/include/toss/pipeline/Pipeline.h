@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/geometry/PosedScan.h>
+#include <toss/geometry/SensorModel.h>
+#include <toss/mapping/VoxelMap.h>
+#include <toss/pipeline/PipelineOptions.h>
+#include <toss/pipeline/ScanLabels.h>
+#include <toss/segmentation/Segmenter.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace toss {
+
+/// TOSS itself: posed scans in, labels and a static map out. Each scan gets a live answer at once,
+/// and its final one when nothing that comes later can change it within the horizon.
+class Pipeline {
+ public:
+  /// Throws UserError for options out of range. `sensor`: beam geometry of all scans.
+  Pipeline(const PipelineOptions& options, const SensorModel& sensor);
+  ~Pipeline();
+
+  /// Takes the next scan, later than the one before. Returns its live labels: decided with no
+  /// look-ahead; valid until the next call.
+  const ScanLabels& process(const PosedScan& scan);
+  /// Segmentation of the scan that process() took last, for viewers.
+  const SegmentedScan& segmentedScan() const;
+
+  /// Scans whose labels have become final since the last call, in order of their coming.
+  std::vector<ScanLabels> takeSettled();
+  /// Settles all scans that are left. Nothing may be processed after it.
+  void finish();
+
+  /// The static map by present knowledge: voxel centroids, or every kept return where
+  /// map.voxel_size is 0. Map frame [m].
+  std::vector<MapPoint> staticMap() const;
+
+  /// Wall time of each stage in the last process() [ms], in order of the stages:
+  /// projection, ground, objects, boxes, tracking, visibility, voting, mapping.
+  const std::vector<std::pair<std::string, double>>& stageTimes() const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace toss
