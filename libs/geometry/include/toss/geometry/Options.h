@@ -36,7 +36,8 @@ class OptionVisitor {
   /// Free text.
   virtual void string(const OptionText& text, std::string& value) = 0;
   /// One of `names`, given as its index.
-  virtual void choice(const OptionText& text, int& index, const std::vector<std::string>& names) = 0;
+  virtual void choice(const OptionText& text, int& index,
+                      const std::vector<std::string>& names) = 0;
 
   /// One of `names`, in the order of the enumeration's values 0, 1, ...
   template <typename Enum, typename = std::enable_if_t<std::is_enum_v<Enum>>>
