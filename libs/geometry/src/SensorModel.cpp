@@ -32,7 +32,7 @@ const std::vector<SensorModel>& knownSensors() {
   // HDL-64E: median elevation of each ring over real scans; the beams of a block are evenly spaced
   // to 0.2 degrees. Others: data sheets (OS1-64: first generation).
   static const std::vector<SensorModel> sensors = {
-      {"HDL-64E", elevationsOf({{2.5, -7.83, 32}, {-8.27, -23.5, 32}}), 2011, 0.9f, 120.0f},
+      {"HDL-64E", elevationsOf({{2.4, -7.9, 32}, {-8.27, -23.5, 32}}), 2011, 0.9f, 120.0f},
       {"HDL-32E", elevationsOf({{10.67, -30.67, 32}}), 2170, 1.0f, 100.0f},
       {"VLP-16", elevationsOf({{15.0, -15.0, 16}}), 1800, 0.5f, 100.0f},
       {"OS0-128", elevationsOf({{45.0, -45.0, 128}}), 1024, 0.3f, 75.0f},
