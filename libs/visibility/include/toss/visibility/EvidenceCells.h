@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/segmentation/Segmentation.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace toss {
+
+/// The returns of one scan that stand above ground, thinned to one per cell and instance, with what
+/// the views of other scans say about each.
+struct EvidenceCells {
+  /// Level frame of the scan [m], shape [cells].
+  std::vector<float> x, y, z;
+  /// Instance of each cell, 0 = unclustered, shape [cells].
+  std::vector<std::int32_t> instance;
+  /// Views that saw through the cell, and views that measured it, shape [cells].
+  std::vector<std::uint8_t> freeViews, hitViews;
+  /// Cell of each point of the scan or -1, shape [n].
+  std::vector<std::int32_t> cellOfPoint;
+
+  std::size_t size() const { return x.size(); }
+};
+
+/// Makes the cells of scans; keeps its table from scan to scan.
+class CellThinning {
+ public:
+  /// `cellSize` [m].
+  explicit CellThinning(double cellSize) : inverseSize_(static_cast<float>(1.0 / cellSize)) {}
+
+  /// Replaces `cells`; the first return of a cell stands for it. All counts are 0.
+  void thin(const LevelPoints& points, const Segmentation& segmentation, EvidenceCells& cells);
+
+ private:
+  std::size_t slotOf(std::uint64_t key) const;
+  float inverseSize_;
+  /// Open addressing: key 0 marks a free slot.
+  std::vector<std::uint64_t> keys_;
+  std::vector<std::int32_t> cellOfSlot_;
+};
+
+/// What views say about a set of cells together.
+struct FreeSpaceSum {
+  /// Cells in all, cells seen through, cells measured again.
+  int cells = 0, free = 0, hit = 0;
+
+  void add(const FreeSpaceSum& other) {
+    cells += other.cells, free += other.free, hit += other.hit;
+  }
+  double freeShare() const { return cells > 0 ? static_cast<double>(free) / cells : 0.0; }
+  double hitShare() const { return cells > 0 ? static_cast<double>(hit) / cells : 0.0; }
+};
+
+/// Whether a cell counts as seen through: enough free views, and more of them than hits.
+inline bool isFree(const EvidenceCells& cells, std::size_t cell, int minFreeViews) {
+  return cells.freeViews[cell] >= minFreeViews && cells.freeViews[cell] > cells.hitViews[cell];
+}
+
+/// Sums of each instance, shape [instanceCount + 1]; entry 0 holds the unclustered cells.
+std::vector<FreeSpaceSum> sumByInstance(const EvidenceCells& cells, std::int32_t instanceCount,
+                                        int minFreeViews);
+
+}  // namespace toss
