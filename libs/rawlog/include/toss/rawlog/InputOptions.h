@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/geometry/Options.h>
+
+#include <string>
+
+namespace toss {
+
+/// Where the poses of a rawlog come from.
+enum class PoseSource {
+  Observations,  ///< CObservationRobotPose: poses in 6D
+  Odometry       ///< CObservationOdometry, or the increments of an action/sensory-frame log
+};
+
+/// How inputs are read. Section "input".
+struct InputOptions : Options {
+  /// Label of the sensor whose scans are read; "" = the first one met.
+  std::string sensorLabel;
+  /// Label of the pose observations that are used; "" = the first one met.
+  std::string poseLabel;
+  PoseSource poseSource = PoseSource::Observations;
+  /// A scan between two poses is used only if both are at most this far away in time [s].
+  double maxPoseGap = 0.1;
+  /// Added to the time stamp of a scan before its pose is looked up [s].
+  double timeOffset = 0.0;
+  /// Scans that may wait for a pose which comes later in the log.
+  int lookAhead = 64;
+  /// Time between scans of a KITTI folder that has no times.txt [s].
+  double scanPeriod = 0.1;
+
+  const char* section() const override { return "input"; }
+  void visit(OptionVisitor& visitor) override;
+};
+
+}  // namespace toss

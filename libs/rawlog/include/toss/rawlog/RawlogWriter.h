@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/geometry/PosedScan.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace mrpt::serialization {
+class CSerializable;
+}
+
+namespace toss {
+
+/// Writes a rawlog in observation format with stock MRPT classes only. The file, and the folder
+/// <stem>_labels beside it, appear under their names only when all is written: call commit().
+/// A rawlog and labels of the same name are replaced, so that no old labels stay beside new scans.
+class RawlogWriter {
+ public:
+  /// `gzipLevel`: 0 = plain file (the default: gz saves a quarter of the size and takes a hundred
+  /// times as long), 1 to 9 = gz. Throws UserError if the file can't be made.
+  explicit RawlogWriter(const std::filesystem::path& file, int gzipLevel = 0);
+  ~RawlogWriter();
+
+  /// Writes CObservationRobotPose (map <- robot) and CObservationPointCloud (CPointsMapXYZI, sensor
+  /// frame, all points in their order and with their bits; intensity 0 where there is none), both
+  /// with the scan's time stamp rounded to MRPT's 100 ns. Reading gives the same pose bit for bit
+  /// where robotFromSensor is the identity. `index`, `ring`, `time` and `sensorModel` are not kept.
+  /// Throws UserError if writing fails.
+  void write(const PosedScan& scan);
+  /// The same, and the scan's labels to <stem>_labels/%06d.label, numbered by the order of writing.
+  /// `labels`: shape [points].
+  void write(const PosedScan& scan, const std::vector<std::uint32_t>& labels);
+  /// Writes any object, e.g. an observation of another class; it does not count as a scan.
+  void write(const mrpt::serialization::CSerializable& object);
+
+  /// Scans written so far.
+  std::uint64_t scanCount() const;
+  /// Closes and gives all files their names. Nothing may be written after it. Throws UserError.
+  void commit();
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace toss
