@@ -29,8 +29,8 @@ class RevocableMap {
   void addBox(BoxId box, TrackId track, std::vector<VoxelContribution> contributions, bool dynamic);
   /// Label of a box that is neither folded nor settled.
   void setDynamic(BoxId box, bool dynamic);
-  /// Moves the box's returns to the ledger of its trace: from now on they are static or dynamic with
-  /// revokeTrack alone. A box that is dynamic at this time is dropped from the map for good.
+  /// Moves the box's returns to the ledger of its trace: from now on they are static or dynamic
+  /// with revokeTrack alone. A box that is dynamic at this time is dropped from the map for good.
   void fold(BoxId box);
   /// Takes all folded returns of the trace out of the map.
   void revokeTrack(TrackId track);

@@ -9,6 +9,19 @@
 
 namespace toss {
 
+/// Indices of returns in their scan, lent by the caller: a whole vector or a part of one.
+struct IndexSpan {
+  const std::int32_t* data = nullptr;
+  std::size_t count = 0;
+
+  IndexSpan() = default;
+  IndexSpan(const std::int32_t* first, std::size_t n) : data(first), count(n) {}
+  IndexSpan(const std::vector<std::int32_t>& all) : data(all.data()), count(all.size()) {}
+
+  const std::int32_t* begin() const { return data; }
+  const std::int32_t* end() const { return data + count; }
+};
+
 /// Index of a voxel: floor(p / voxelSize) per axis, 3 x 21 bits (spec section 8.2).
 using VoxelKey = std::uint64_t;
 
