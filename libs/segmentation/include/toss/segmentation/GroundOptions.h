@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/geometry/Options.h>
+
+namespace toss {
+
+/// When a patch of ground counts as not traversable (ambiguity 8).
+enum class EdgePolicy {
+  AnyEdge,   ///< when no neighbour that is reached leads to it
+  FirstEdge  ///< when the first neighbour that reaches it does not lead to it (TRAVEL)
+};
+
+/// What becomes of patches that the search never reaches (ambiguity 7).
+enum class IslandPolicy {
+  AcceptIfWeight,  ///< ground where their weight exceeds th_weight
+  Accept,          ///< ground (TRAVEL)
+  Reject           ///< not ground
+};
+
+/// Ground segmentation on a tri-grid field (TRAVEL's TGS; spec section 2).
+struct GroundOptions : Options {
+  /// Half the side of the square field around the sensor [m].
+  double extent = 64.0;
+  /// Side of a square of the field [m]; each square holds four triangles.
+  double cellSize = 4.0;
+  /// Plane fits per triangle.
+  int iterations = 3;
+  /// Lowest returns whose mean height starts the fit.
+  int lowestPoints = 5;
+  /// Returns that a triangle needs for a plane of its own.
+  int minPoints = 10;
+  /// Height above the lowest returns up to which returns start the fit [m].
+  double seedHeight = 0.5;
+  /// Share of a layer's returns that a layer below it needs, lest it be taken for a reflection; 0
+  /// believes every layer.
+  double minLayerShare = 0.1;
+  /// Distance above the plane up to which a return is ground [m].
+  double groundHeight = 0.125;
+  /// Depth under the plane from which a return is BelowGround [m].
+  double outlierDepth = 0.3;
+  /// Least vertical component of a ground plane's normal: cosine of the steepest slope.
+  double minNormalZ = 0.80;
+  /// Least weight of an island.
+  double islandWeight = 200.0;
+  /// Change of the normal that is traversable [rad per m of distance between the patches].
+  double convexityNormal = 0.03;
+  /// Slope between patches relative to their planes that is traversable [rad].
+  double convexityPlanar = 0.1;
+  EdgePolicy edgePolicy = EdgePolicy::AnyEdge;
+  IslandPolicy islandPolicy = IslandPolicy::AcceptIfWeight;
+  /// Whether planes are replaced by the terrain model through all patches.
+  bool refine = true;
+  /// Rounds of fitting the terrain model to all ground returns at once; 0 leaves TRAVEL's average.
+  int terrainRounds = 2;
+
+  const char* section() const override { return "ground"; }
+  void visit(OptionVisitor& visitor) override;
+};
+
+}  // namespace toss

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/segmentation/GroundNodeModel.h>
+#include <toss/segmentation/TriGridField.h>
+
+#include <vector>
+
+namespace toss {
+
+/// Heights of the field's vertices [m, level frame], NaN where unknown, shape [field.vertices()].
+using VertexHeights = std::vector<float>;
+
+/// Height of each vertex: mean over the Ground nodes around it, weighted by their weight and
+/// nearness (spec section 2.4).
+void averageVertices(const TriGridField& field, const std::vector<GroundNode>& nodes,
+                     VertexHeights& heights);
+
+/// Plane of each node through its three vertices: nodes that are no steeper than allowed become
+/// Ground (and so are revived between others), the rest NonGround; nodes without all three vertices
+/// become Unknown unless they are NonGround (spec section 2.4).
+void replacePlanes(const TriGridField& field, const GroundOptions& options,
+                   const VertexHeights& heights, std::vector<GroundNode>& nodes);
+
+}  // namespace toss

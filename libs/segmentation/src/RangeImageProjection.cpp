@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FastArcTangent.h"
+
+#include <toss/segmentation/RangeImageProjection.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace toss {
+namespace {
+
+constexpr float kPi = 3.14159265358979f;
+constexpr int kColumnsOfUnknownSensor = 2048;
+
+ProjectionOptions checked(ProjectionOptions options, const SensorModel& sensor) {
+  options.check();
+  if (options.columns == 0) options.columns = sensor.columns;
+  if (options.columns <= 0) options.columns = kColumnsOfUnknownSensor;
+  if (options.minRange == 0.0) options.minRange = static_cast<double>(sensor.minRange);
+  if (options.maxRange == 0.0) options.maxRange = static_cast<double>(sensor.maxRange);
+  if (options.maxRange == 0.0) options.maxRange = std::numeric_limits<float>::max();
+  return options;
+}
+
+}  // namespace
+
+int columnOfAzimuth(float azimuth, int columns) {
+  const int column = static_cast<int>((0.5f - azimuth * (0.5f / kPi)) * static_cast<float>(columns));
+  return column >= columns ? column - columns : std::max(column, 0);
+}
+
+float azimuthOfColumn(int column, int columns) {
+  return kPi * (1.0f - (2.0f * static_cast<float>(column) + 1.0f) / static_cast<float>(columns));
+}
+
+RangeImageProjection::RangeImageProjection(const ProjectionOptions& options,
+                                           const SensorModel& sensor)
+    : options_(checked(options, sensor)), sensor_(sensor), rows_(sensor, options.rowSource) {}
+
+void RangeImageProjection::project(const PointCloud& points, RangeImage& image,
+                                   std::vector<PointClass>& pointClass) {
+  image.rows = sensor_.rows();
+  image.columns = options_.columns;
+  findDirections(points, image.range);
+  rowSource_ = rows_.assign(directions_, points.ring, image.row, image.elevations);
+  classify(points, image, pointClass);
+  fillPixels(pointClass, image);
+}
+
+void RangeImageProjection::findDirections(const PointCloud& points, std::vector<float>& range) {
+  const std::size_t n = points.size();
+  directions_.azimuth.resize(n), directions_.slope.resize(n), directions_.valid.resize(n);
+  range.resize(n);
+  const float* const x = points.x.data();
+  const float* const y = points.y.data();
+  const float* const z = points.z.data();
+  float* const azimuth = directions_.azimuth.data();
+  float* const slope = directions_.slope.data();
+  float* const distance = range.data();
+  for (std::size_t i = 0; i < n; ++i) {
+    const float horizontalSquared = x[i] * x[i] + y[i] * y[i];
+    const float horizontal = std::sqrt(horizontalSquared);
+    distance[i] = std::sqrt(horizontalSquared + z[i] * z[i]);
+    slope[i] = z[i] / std::max(horizontal, 1e-20f);
+    azimuth[i] = fastArcTangent2(y[i], x[i]);
+  }
+  std::uint8_t* const valid = directions_.valid.data();
+  // Written so that it is false for NaN. An infinite distance is too far rather than invalid where
+  // the coordinates themselves are finite.
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool finite = (x[i] - x[i]) + (y[i] - y[i]) + (z[i] - z[i]) == 0.0f;
+    valid[i] = static_cast<std::uint8_t>(finite & (distance[i] > 0.0f));
+  }
+}
+
+void RangeImageProjection::classify(const PointCloud& points, RangeImage& image,
+                                    std::vector<PointClass>& pointClass) {
+  const std::size_t n = points.size();
+  const auto minRange = static_cast<float>(options_.minRange);
+  const auto maxRange = static_cast<float>(options_.maxRange);
+  const auto minZ = static_cast<float>(options_.minZ), maxZ = static_cast<float>(options_.maxZ);
+  const auto egoSquared = static_cast<float>(options_.egoRadius * options_.egoRadius);
+  pointClass.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const float x = points.x[i], y = points.y[i], z = points.z[i];
+    const bool invalid = (directions_.valid[i] == 0) | (x * x + y * y < egoSquared);
+    const bool outside = (image.range[i] < minRange) | (image.range[i] > maxRange) | (z < minZ) |
+                         (z > maxZ);
+    const PointClass unlessInvalid = outside ? PointClass::OutOfRange : PointClass::Unclustered;
+    pointClass[i] = invalid ? PointClass::Invalid : unlessInvalid;
+  }
+}
+
+void RangeImageProjection::fillPixels(const std::vector<PointClass>& pointClass,
+                                      RangeImage& image) const {
+  const std::size_t n = pointClass.size();
+  image.next.assign(n, RangeImage::kNone);
+  image.column.assign(n, 0);
+  image.representative.assign(image.pixel(image.rows, 0), RangeImage::kNone);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (pointClass[i] != PointClass::Unclustered) {
+      image.row[i] = RangeImage::kNoRow;
+      if (pointClass[i] == PointClass::Invalid) image.range[i] = 0.0f;
+      continue;
+    }
+    const int column = columnOfAzimuth(directions_.azimuth[i], image.columns);
+    image.column[i] = static_cast<std::uint16_t>(column);
+    std::int32_t& head = image.representative[image.pixel(image.row[i], column)];
+    const auto point = static_cast<std::int32_t>(i);
+    if (head == RangeImage::kNone) {
+      head = point;
+    } else if (image.range[i] < image.range[static_cast<std::size_t>(head)]) {
+      image.next[i] = head;
+      head = point;
+    } else {
+      image.next[i] = image.next[static_cast<std::size_t>(head)];
+      image.next[static_cast<std::size_t>(head)] = point;
+    }
+  }
+}
+
+}  // namespace toss

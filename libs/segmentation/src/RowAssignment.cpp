@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <toss/geometry/Error.h>
+#include <toss/segmentation/RowAssignment.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace toss {
+namespace {
+
+constexpr float kPi = 3.14159265358979f;
+constexpr std::size_t kLookUpCells = 4096;
+/// Medians are taken over every so manieth return: good to a tenth of a beam, and cheap.
+constexpr std::size_t kSampling = 8;
+/// Fewest samples of a ring from which its elevation is measured.
+constexpr std::size_t kMinSamples = 20;
+/// Rings that may be missing from a scan in ring order.
+constexpr int kMissingRings = 2;
+
+float median(std::vector<float>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+RowAssignment::RowAssignment(const SensorModel& sensor, RowPolicy policy)
+    : sensor_(sensor), policy_(policy) {
+  if (sensor.rows() < 1 || sensor.rows() >= 65535) {
+    throw UserError("sensor '" + sensor.name + "'", "it has no usable table of beams",
+                    "name one of the known sensors");
+  }
+  std::vector<float> slopes;
+  for (const float elevation : sensor.elevations) slopes.push_back(std::tan(elevation));
+  for (std::size_t row = 0; row + 1 < slopes.size(); ++row) {
+    boundary_.push_back(
+        std::tan(0.5f * (sensor.elevations[row] + sensor.elevations[row + 1])));
+  }
+  topSlope_ = slopes.front();
+  const float spread = std::max(slopes.front() - slopes.back(), 1e-6f);
+  cellsPerSlope_ = static_cast<float>(kLookUpCells - 1) / spread;
+  std::size_t row = 0;
+  for (std::size_t cell = 0; cell < kLookUpCells; ++cell) {
+    const float upperEdge = topSlope_ - static_cast<float>(cell) / cellsPerSlope_;
+    while (row < boundary_.size() && boundary_[row] > upperEdge) ++row;
+    firstRow_.push_back(static_cast<std::uint16_t>(row));
+  }
+}
+
+RowSource RowAssignment::assign(const Directions& directions,
+                                const std::vector<std::uint16_t>& ring,
+                                std::vector<std::uint16_t>& row, std::vector<float>& elevations) {
+  row.assign(directions.valid.size(), 0);
+  elevations = sensor_.elevations;
+  if (policy_ == RowPolicy::Equation) {
+    fromEquation(directions, row);
+    return RowSource::Equation;
+  }
+  if (policy_ == RowPolicy::Automatic && ring.size() == row.size() && !ring.empty()) {
+    const int highest = *std::max_element(ring.begin(), ring.end());
+    if (highest >= sensor_.rows()) {
+      throw UserError("scan",
+                      "it has a return of ring " + std::to_string(highest) + ", but sensor '" +
+                          sensor_.name + "' has " + std::to_string(sensor_.rows()) + " beams",
+                      "name the sensor that recorded it, or set projection.row_source=elevation");
+    }
+    row = ring;
+    measureElevations(directions, row, elevations);
+    return RowSource::Ring;
+  }
+  if (policy_ == RowPolicy::Automatic && fromOrder(directions, row)) {
+    measureElevations(directions, row, elevations);
+    return RowSource::Order;
+  }
+  fromElevation(directions, row);
+  return RowSource::Elevation;
+}
+
+bool RowAssignment::fromOrder(const Directions& directions, std::vector<std::uint16_t>& row) {
+  int ring = -1;
+  float previous = std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (directions.valid[i] == 0) continue;
+    const float azimuth = directions.azimuth[i];
+    const float turned = azimuth < 0.0f ? azimuth + 2.0f * kPi : azimuth;
+    if (previous - turned > kPi && ++ring >= sensor_.rows()) return false;
+    previous = turned;
+    row[i] = static_cast<std::uint16_t>(ring);
+  }
+  const int count = ring + 1;
+  if (count < std::max(1, sensor_.rows() - kMissingRings)) return false;
+
+  const std::vector<float> medians = medianSlopes(directions, row, count);
+  for (std::size_t r = 1; r < medians.size(); ++r) {
+    if (!(medians[r] < medians[r - 1])) return false;
+  }
+  // Where rings are missing, they are those that leave the others nearest to the sensor's table.
+  int best = 0;
+  float leastError = std::numeric_limits<float>::infinity();
+  for (int shift = 0; shift + count <= sensor_.rows(); ++shift) {
+    float error = 0.0f;
+    for (int r = 0; r < count; ++r) {
+      const float expected = sensor_.elevations[static_cast<std::size_t>(r + shift)];
+      error += std::fabs(std::atan(medians[static_cast<std::size_t>(r)]) - expected);
+    }
+    if (error < leastError) leastError = error, best = shift;
+  }
+  if (best > 0) {
+    for (std::uint16_t& r : row) r = static_cast<std::uint16_t>(r + best);
+  }
+  return true;
+}
+
+void RowAssignment::fromElevation(const Directions& directions,
+                                  std::vector<std::uint16_t>& row) const {
+  const auto last = static_cast<float>(kLookUpCells - 1);
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (directions.valid[i] == 0) continue;
+    const float slope = directions.slope[i];
+    const float cell = std::clamp((topSlope_ - slope) * cellsPerSlope_, 0.0f, last);
+    std::size_t r = firstRow_[static_cast<std::size_t>(cell)];
+    while (r < boundary_.size() && boundary_[r] > slope) ++r;
+    row[i] = static_cast<std::uint16_t>(r);
+  }
+}
+
+void RowAssignment::fromEquation(const Directions& directions,
+                                 std::vector<std::uint16_t>& row) const {
+  const float down = sensor_.elevations.back();
+  const float field = std::max(sensor_.elevations.front() - down, 1e-6f);
+  const auto rows = static_cast<float>(sensor_.rows());
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (directions.valid[i] == 0) continue;
+    const float v = (1.0f - (std::atan(directions.slope[i]) - down) / field) * rows;
+    row[i] = static_cast<std::uint16_t>(std::clamp(v, 0.0f, rows - 1.0f));
+  }
+}
+
+std::vector<float> RowAssignment::medianSlopes(const Directions& directions,
+                                               const std::vector<std::uint16_t>& row, int rows) {
+  samples_.resize(static_cast<std::size_t>(sensor_.rows()));
+  for (std::vector<float>& samples : samples_) samples.clear();
+  for (std::size_t i = 0; i < row.size(); i += kSampling) {
+    if (directions.valid[i] != 0) samples_[row[i]].push_back(directions.slope[i]);
+  }
+  std::vector<float> medians;
+  for (int r = 0; r < rows; ++r) {
+    std::vector<float>& samples = samples_[static_cast<std::size_t>(r)];
+    const bool enough = samples.size() >= kMinSamples;
+    medians.push_back(enough ? median(samples) : std::numeric_limits<float>::quiet_NaN());
+  }
+  return medians;
+}
+
+void RowAssignment::measureElevations(const Directions& directions,
+                                      const std::vector<std::uint16_t>& row,
+                                      std::vector<float>& elevations) {
+  const std::vector<float> medians = medianSlopes(directions, row, sensor_.rows());
+  std::vector<float> measured = sensor_.elevations;
+  for (std::size_t r = 0; r < medians.size(); ++r) {
+    if (std::isfinite(medians[r])) measured[r] = std::atan(medians[r]);
+  }
+  // A table that is not in order would break every search in it.
+  if (std::is_sorted(measured.rbegin(), measured.rend())) elevations = measured;
+}
+
+}  // namespace toss
