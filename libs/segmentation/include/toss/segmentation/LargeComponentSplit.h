@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/segmentation/Components.h>
+#include <toss/segmentation/LinkRules.h>
+#include <toss/segmentation/NodeClustering.h>
+#include <toss/segmentation/ObjectNodes.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace toss {
+
+/// Guard against under-segmentation (spec section 3.4): a component that is too long to be one
+/// object is clustered again with shorter link distances, and falls into the parts found if at
+/// least two of them are large enough to be instances and lie apart.
+class LargeComponentSplit {
+ public:
+  /// Components longer than `extent` [m] are tried, with link distances times `factor`.
+  LargeComponentSplit(float extent, float factor) : extent_(extent), factor_(factor) {}
+
+  /// `component`: the component of each node, 0..count-1, changed in place; numbered by first node
+  /// before and after. Returns the number of components after.
+  std::int32_t split(const ObjectNodes& nodes, const LinkRules& rules,
+                     std::vector<std::int32_t>& component, std::int32_t count);
+
+ private:
+  bool selectLarge(const ObjectNodes& nodes, const std::vector<std::int32_t>& component,
+                   std::int32_t count);
+  void judge(const LinkRules& rules, std::int32_t count);
+
+  float extent_, factor_;
+  NodeClustering clustering_;
+  std::vector<Component> wholes_, parts_;
+  std::vector<std::uint8_t> selected_;
+  ObjectNodes nodes_;
+  std::vector<std::int32_t> source_, partOfNode_, wholeOfPart_, scratch_;
+  /// Whether each whole is split; its parts that are large enough to be instances.
+  std::vector<std::uint8_t> accepted_;
+  std::vector<std::vector<std::int32_t>> partsOfWhole_;
+};
+
+}  // namespace toss

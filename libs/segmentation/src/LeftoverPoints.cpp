@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <toss/segmentation/LeftoverPoints.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace toss {
+namespace {
+
+/// Looks for the nearest node with an instance around one point.
+class NearestInstance {
+ public:
+  NearestInstance(const LinkRules& rules, const ObjectNodes& nodes,
+                  const std::vector<std::int32_t>& instanceOfNode, float distance)
+      : rules_(rules), nodes_(nodes), instanceOfNode_(instanceOfNode), distance_(distance) {}
+
+  /// Instance of the nearest node within the distance, 0 if there is none.
+  std::int32_t find(float x, float y, float z, int row, int column) {
+    x_ = x, y_ = y, z_ = z;
+    nearest2_ = distance_ * distance_;
+    instance_ = 0;
+    const float range = std::sqrt(x * x + y * y + z * z);
+    const int rowReach = reach(range, rules_.rowStep, nodes_.rows());
+    const int columnReach = reach(std::sqrt(x * x + y * y), rules_.columnStep, rules_.columns / 2);
+    const int last = std::min(nodes_.rows() - 1, row + rowReach);
+    for (int r = std::max(0, row - rowReach); r <= last; ++r) {
+      search(r, column - columnReach, column + columnReach);
+    }
+    return instance_;
+  }
+
+ private:
+  int reach(float range, float step, int most) const {
+    const float steps = std::ceil(1.2f * distance_ / (std::max(range, 0.01f) * step)) + 1.0f;
+    return static_cast<int>(std::min(steps, static_cast<float>(most)));
+  }
+
+  void search(int row, int first, int last) {
+    if (first < 0) {
+      searchColumns(row, 0, last);
+      searchColumns(row, first + rules_.columns, rules_.columns - 1);
+    } else if (last >= rules_.columns) {
+      searchColumns(row, 0, last - rules_.columns);
+      searchColumns(row, first, rules_.columns - 1);
+    } else {
+      searchColumns(row, first, last);
+    }
+  }
+
+  void searchColumns(int row, int first, int last) {
+    const auto begin = nodes_.column.begin() + nodes_.rowBegin[static_cast<std::size_t>(row)];
+    const auto end = nodes_.column.begin() + nodes_.rowBegin[static_cast<std::size_t>(row) + 1];
+    for (auto it = std::lower_bound(begin, end, first); it != end && *it <= last; ++it) {
+      consider(static_cast<std::size_t>(it - nodes_.column.begin()));
+    }
+  }
+
+  void consider(std::size_t node) {
+    if (instanceOfNode_[node] == 0) return;
+    const float dx = nodes_.x[node] - x_, dy = nodes_.y[node] - y_, dz = nodes_.z[node] - z_;
+    const float distance2 = dx * dx + dy * dy + dz * dz;
+    if (distance2 >= nearest2_) return;
+    nearest2_ = distance2;
+    instance_ = instanceOfNode_[node];
+  }
+
+  const LinkRules& rules_;
+  const ObjectNodes& nodes_;
+  const std::vector<std::int32_t>& instanceOfNode_;
+  float distance_;
+  float x_ = 0.0f, y_ = 0.0f, z_ = 0.0f, nearest2_ = 0.0f;
+  std::int32_t instance_ = 0;
+};
+
+void attach(std::size_t i, const LevelPoints& points, const RangeImage& image,
+            NearestInstance& nearest, Segmentation& segmentation) {
+  const std::int32_t instance =
+      nearest.find(points.x[i], points.y[i], points.z[i], image.row[i], image.column[i]);
+  if (instance == 0) return;
+  segmentation.instance[i] = instance;
+  segmentation.pointClass[i] = PointClass::Instance;
+}
+
+}  // namespace
+
+void attachLeftoverPoints(const LevelPoints& points, const RangeImage& image,
+                          const LinkRules& rules, const ObjectNodes& nodes,
+                          const std::vector<std::int32_t>& instanceOfNode, float distance,
+                          Segmentation& segmentation) {
+  NearestInstance nearest(rules, nodes, instanceOfNode, distance);
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    if (instanceOfNode[n] != 0) continue;
+    attach(static_cast<std::size_t>(nodes.point[n]), points, image, nearest, segmentation);
+  }
+  for (std::size_t m = 0; m < nodes.matePoint.size(); ++m) {
+    if (instanceOfNode[static_cast<std::size_t>(nodes.mateNode[m])] != 0) continue;
+    attach(static_cast<std::size_t>(nodes.matePoint[m]), points, image, nearest, segmentation);
+  }
+}
+
+}  // namespace toss

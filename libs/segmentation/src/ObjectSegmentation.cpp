@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <toss/segmentation/Components.h>
+#include <toss/segmentation/LargeComponentSplit.h>
+#include <toss/segmentation/LeftoverPoints.h>
+#include <toss/segmentation/LinkRules.h>
+#include <toss/segmentation/NodeClustering.h>
+#include <toss/segmentation/ObjectNodes.h>
+#include <toss/segmentation/ObjectSegmentation.h>
+
+#include <stdexcept>
+
+namespace toss {
+namespace {
+
+void checkSizes(const LevelPoints& points, const RangeImage& image,
+                const Segmentation& segmentation) {
+  const std::size_t n = segmentation.pointClass.size();
+  const std::size_t pixels =
+      static_cast<std::size_t>(image.rows) * static_cast<std::size_t>(image.columns);
+  if (points.x.size() != n || points.y.size() != n || points.z.size() != n ||
+      image.row.size() != n || image.column.size() != n || image.next.size() != n ||
+      image.range.size() != n || image.representative.size() != pixels) {
+    throw std::logic_error(
+        "ObjectSegmentation: points, range image and segmentation differ in size");
+  }
+}
+
+/// Groups the points by instance: a counting sort, so members ascend within each instance.
+void fillMembers(Segmentation& segmentation) {
+  auto& begin = segmentation.memberBegin;
+  begin.assign(static_cast<std::size_t>(segmentation.instanceCount) + 2, 0);
+  for (const std::int32_t k : segmentation.instance) ++begin[static_cast<std::size_t>(k) + 1];
+  // Slot k + 1 counts instance k; summed up, slot k is where k starts, and once filled, where it
+  // ends.
+  begin[1] = 0;
+  for (std::size_t k = 2; k < begin.size(); ++k) begin[k] += begin[k - 1];
+  segmentation.members.resize(static_cast<std::size_t>(begin.back()));
+  for (std::size_t i = 0; i < segmentation.instance.size(); ++i) {
+    const std::size_t k = static_cast<std::size_t>(segmentation.instance[i]);
+    if (k == 0) continue;
+    segmentation.members[static_cast<std::size_t>(begin[k]++)] = static_cast<std::int32_t>(i);
+  }
+  begin.pop_back();
+}
+
+}  // namespace
+
+struct ObjectSegmentation::Implementation {
+  explicit Implementation(const ObjectOptions& o)
+      : options(o),
+        splitter(static_cast<float>(o.splitExtent), static_cast<float>(o.splitFactor)) {}
+
+  /// Numbers the components that are instances; returns how many.
+  std::int32_t numberInstances(const LinkRules& rules, std::int32_t componentCount);
+  void write(Segmentation& segmentation) const;
+
+  ObjectOptions options;
+  ObjectNodes nodes;
+  NodeClustering clustering;
+  LargeComponentSplit splitter;
+  std::vector<Component> components;
+  std::vector<std::int32_t> componentOfNode, instanceOfComponent, instanceOfNode;
+};
+
+std::int32_t ObjectSegmentation::Implementation::numberInstances(const LinkRules& rules,
+                                                                 std::int32_t componentCount) {
+  measureComponents(nodes, componentOfNode, componentCount, components);
+  instanceOfComponent.resize(components.size());
+  std::int32_t count = 0;
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    const Component& component = components[c];
+    const bool enough = component.returns >= rules.minPoints(component.nearest);
+    const bool tooMany = options.maxPoints > 0 && component.returns > options.maxPoints;
+    instanceOfComponent[c] = enough && !tooMany ? ++count : 0;
+  }
+  instanceOfNode.resize(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    instanceOfNode[i] = instanceOfComponent[static_cast<std::size_t>(componentOfNode[i])];
+  }
+  return count;
+}
+
+void ObjectSegmentation::Implementation::write(Segmentation& segmentation) const {
+  const auto give = [&](std::int32_t point, std::int32_t instance) {
+    if (instance == 0) return;
+    segmentation.instance[static_cast<std::size_t>(point)] = instance;
+    segmentation.pointClass[static_cast<std::size_t>(point)] = PointClass::Instance;
+  };
+  for (std::size_t i = 0; i < nodes.size(); ++i) give(nodes.point[i], instanceOfNode[i]);
+  for (std::size_t m = 0; m < nodes.matePoint.size(); ++m) {
+    give(nodes.matePoint[m], instanceOfNode[static_cast<std::size_t>(nodes.mateNode[m])]);
+  }
+}
+
+ObjectSegmentation::ObjectSegmentation(const ObjectOptions& options)
+    : implementation_((options.check(), std::make_unique<Implementation>(options))) {}
+ObjectSegmentation::~ObjectSegmentation() = default;
+ObjectSegmentation::ObjectSegmentation(ObjectSegmentation&&) noexcept = default;
+ObjectSegmentation& ObjectSegmentation::operator=(ObjectSegmentation&&) noexcept = default;
+
+void ObjectSegmentation::segment(const LevelPoints& points, const RangeImage& image,
+                                 Segmentation& segmentation) {
+  checkSizes(points, image, segmentation);
+  Implementation& self = *implementation_;
+  const LinkRules rules(self.options, image);
+  gatherNodes(points, image, segmentation, rules, static_cast<float>(self.options.pixelMerge),
+              self.nodes);
+  std::int32_t components = self.clustering.cluster(self.nodes, rules, self.componentOfNode);
+  if (self.options.splitExtent > 0.0) {
+    components = self.splitter.split(self.nodes, rules, self.componentOfNode, components);
+  }
+  segmentation.instance.assign(segmentation.pointClass.size(), 0);
+  segmentation.instanceCount = self.numberInstances(rules, components);
+  self.write(segmentation);
+  if (self.options.attachDistance > 0.0) {
+    attachLeftoverPoints(points, image, rules, self.nodes, self.instanceOfNode,
+                         static_cast<float>(self.options.attachDistance), segmentation);
+  }
+  fillMembers(segmentation);
+}
+
+}  // namespace toss

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The clusters against brute force: connected components over all pairs of returns.
+#include <gtest/gtest.h>
+#include <toss/segmentation/LinkRules.h>
+#include <toss/segmentation/ObjectSegmentation.h>
+
+#include <random>
+
+#include "ObjectTestScan.h"
+
+namespace toss {
+namespace {
+
+using test::ObjectTestScan;
+
+/// Straight from the definition in LinkRules.h.
+bool linked(const ObjectTestScan& scan, const LinkRules& rules, std::size_t a, std::size_t b) {
+  const auto horizontalRange = [&](std::size_t i) {
+    return std::sqrt(scan.points.x[i] * scan.points.x[i] + scan.points.y[i] * scan.points.y[i]);
+  };
+  const LinkRules::Reach reachA = rules.reach(horizontalRange(a));
+  const LinkRules::Reach reachB = rules.reach(horizontalRange(b));
+  const int rowGap = std::abs(scan.image.row[a] - scan.image.row[b]);
+  const int straight = std::abs(scan.image.column[a] - scan.image.column[b]);
+  const int columnGap = std::min(straight, scan.image.columns - straight);
+  const float limit = rowGap == 0 ? std::min(reachA.horizontal, reachB.horizontal)
+                                  : std::min(reachA.vertical, reachB.vertical);
+  const float dx = scan.points.x[a] - scan.points.x[b], dy = scan.points.y[a] - scan.points.y[b];
+  return rowGap <= rules.rowWindow && columnGap <= std::min(reachA.window, reachB.window) &&
+         dx * dx + dy * dy < limit * limit &&
+         (rowGap <= 1 || std::abs(scan.points.z[a] - scan.points.z[b]) <= rules.maxHeightGap);
+}
+
+/// Returns that are nodes, by pixel; and for each return the node it shares.
+std::vector<std::size_t> nodesOf(const ObjectTestScan& scan, double pixelMerge,
+                                 std::vector<std::size_t>& host) {
+  std::vector<std::size_t> nodes;
+  host.resize(scan.size());
+  for (const std::int32_t head : scan.image.representative) {
+    for (std::int32_t p = head; p >= 0; p = scan.image.next[static_cast<std::size_t>(p)]) {
+      const std::size_t i = static_cast<std::size_t>(p);
+      const bool mate = p != head && scan.image.range[i] - scan.image.range[nodes.back()] <
+                                         static_cast<float>(pixelMerge);
+      if (!mate) nodes.push_back(i);
+      host[i] = nodes.back();
+    }
+  }
+  return nodes;
+}
+
+std::vector<std::int32_t> bruteForceInstances(const ObjectTestScan& scan,
+                                              const ObjectOptions& options) {
+  const LinkRules rules(options, scan.image);
+  std::vector<std::size_t> host;
+  const std::vector<std::size_t> nodes = nodesOf(scan, options.pixelMerge, host);
+  std::vector<std::int32_t> instance(scan.size(), 0);
+  std::int32_t count = 0;
+  for (const std::size_t first : nodes) {
+    if (instance[first] != 0) continue;
+    instance[first] = ++count;
+    for (std::vector<std::size_t> open{first}; !open.empty();) {
+      const std::size_t a = open.back();
+      open.pop_back();
+      for (const std::size_t b : nodes) {
+        if (instance[b] != 0 || !linked(scan, rules, a, b)) continue;
+        instance[b] = count;
+        open.push_back(b);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < scan.size(); ++i) instance[i] = instance[host[i]];
+  return instance;
+}
+
+/// Surfaces that come and go at random, some with a second surface behind, full circle; `tilt`
+/// [rad] turns the level frame about the sensor's x axis.
+ObjectTestScan randomScan(unsigned seed, double tilt) {
+  ObjectTestScan scan(14, 180, 0.3, -0.3);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  const double scale = 1.0 + 30.0 * uniform(random);
+  for (int row = 0; row < scan.image.rows; ++row) {
+    double range = scale;
+    for (int column = 0; column < scan.image.columns; ++column) {
+      if (uniform(random) < 0.1) range = scale * (0.3 + uniform(random));
+      range *= 1.0 + 0.02 * (uniform(random) - 0.5);
+      if (uniform(random) < 0.2) continue;
+      scan.add(row, column, range);
+      if (uniform(random) < 0.2) scan.add(row, column, range + uniform(random));
+    }
+  }
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    float &y = scan.points.y[i], &z = scan.points.z[i];
+    const float c = static_cast<float>(std::cos(tilt)), s = static_cast<float>(std::sin(tilt));
+    std::tie(y, z) = std::make_pair(c * y - s * z, s * y + c * z);
+  }
+  return scan;
+}
+
+/// Every component an instance, as clustering leaves it.
+ObjectOptions bareClustering() {
+  ObjectOptions options;
+  options.minPointsNear = options.minPointsFar = 1;
+  options.attachDistance = 0.0;
+  options.splitExtent = 0.0;
+  return options;
+}
+
+void expectBruteForce(const ObjectOptions& options, double tilt) {
+  ObjectSegmentation objects(options);
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    ObjectTestScan scan = randomScan(seed, tilt);
+    objects.segment(scan.points, scan.image, scan.segmentation);
+    ASSERT_EQ(scan.segmentation.instance, bruteForceInstances(scan, options)) << "seed " << seed;
+    ASSERT_GT(scan.segmentation.instanceCount, 5);
+  }
+}
+
+TEST(ObjectLinks, AdaptiveClustersEqualBruteForce) {
+  expectBruteForce(bareClustering(), 0.0);
+}
+
+TEST(ObjectLinks, ClustersOfATiltedSensorEqualBruteForce) {
+  expectBruteForce(bareClustering(), 0.35);
+}
+
+TEST(ObjectLinks, ConstantClustersEqualBruteForce) {
+  ObjectOptions options = bareClustering();
+  options.metric = LinkMetric::Constant;
+  expectBruteForce(options, 0.0);
+}
+
+TEST(ObjectLinks, WideWindowsAndTightHeightsEqualBruteForce) {
+  ObjectOptions options = bareClustering();
+  options.rowWindow = 8;
+  options.maxHeightGap = 0.4;
+  options.horizontalDistance = options.verticalDistance = 1.2;
+  options.pixelMerge = 0.0;
+  expectBruteForce(options, 0.1);
+}
+
+TEST(LinkRules, DistancesFollowTheAngleBetweenTheirBounds) {
+  // 1.2 x 0.5 degrees within rows, 1.5 x 0.5 degrees between them (spec section 3.3).
+  ObjectOptions options;
+  options.horizontalSteps = 3.0, options.verticalSteps = 2.0;
+  options.nearFactor = 0.4, options.farFactor = 1.5;
+  options.horizontalDistance = 0.4, options.verticalDistance = 0.5;
+  ObjectTestScan scan(3, 1000, 0.01, -0.01);
+  const LinkRules rules(options, scan.image);
+  EXPECT_FLOAT_EQ(rules.rowStep, 0.01f);
+  EXPECT_FLOAT_EQ(rules.reach(1.0f).horizontal, 0.16f);
+  EXPECT_FLOAT_EQ(rules.reach(1.0f).vertical, 0.2f);
+  EXPECT_NEAR(rules.reach(20.0f).horizontal, 20.0 * 3.0 * 2.0 * M_PI / 1000.0, 1e-5);
+  EXPECT_NEAR(rules.reach(20.0f).vertical, 20.0 * 2.0 * 0.01, 1e-5);
+  EXPECT_FLOAT_EQ(rules.reach(80.0f).horizontal, 0.6f);
+  EXPECT_FLOAT_EQ(rules.reach(80.0f).vertical, 0.75f);
+}
+
+TEST(LinkRules, WindowSpansTheLinkDistance) {
+  const ObjectOptions options;
+  const LinkRules rules(options, ObjectTestScan::hdl64().image);
+  for (float range : {0.5f, 2.0f, 5.0f, 20.0f, 80.0f}) {
+    const LinkRules::Reach reach = rules.reach(range);
+    const double widest = std::max(reach.horizontal, reach.vertical);
+    EXPECT_GE(reach.window, std::asin(widest / range) / (2.0 * M_PI / 2048.0)) << range;
+  }
+}
+
+TEST(LinkRules, FewestReturnsShrinkWithRange) {
+  ObjectOptions options;
+  options.minPointsNear = 10, options.minPointsFar = 3, options.minSize = 0.3;
+  const LinkRules rules(options, ObjectTestScan::hdl64().image);
+  EXPECT_EQ(rules.minPoints(5.0f), 10);
+  EXPECT_EQ(rules.minPoints(60.0f), 3);
+  // At 25 m a square of 0.3 m takes 0.3 / (25 * 0.00307) = 3.9 columns by 1.6 rows.
+  EXPECT_EQ(rules.minPoints(25.0f), 6);
+}
+
+}  // namespace
+}  // namespace toss
