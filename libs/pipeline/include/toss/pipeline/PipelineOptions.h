@@ -8,6 +8,7 @@
 #include <toss/tracking/BoxOptions.h>
 #include <toss/tracking/TrackingOptions.h>
 #include <toss/visibility/VisibilityOptions.h>
+#include <toss/voting/DecisionOptions.h>
 #include <toss/voting/VotingOptions.h>
 
 #include <vector>
@@ -23,11 +24,13 @@ struct PipelineOptions {
   TrackingOptions tracking;
   VisibilityOptions visibility;
   VotingOptions voting;
+  DecisionOptions decision;
   MappingOptions mapping;
 
   /// One entry per section, in the order of the stages.
   std::vector<Options*> sections() {
-    return {&projection, &ground, &objects, &boxes, &tracking, &visibility, &voting, &mapping};
+    return {&projection, &ground, &objects,  &boxes,  &tracking,
+            &visibility, &voting, &decision, &mapping};
   }
 };
 

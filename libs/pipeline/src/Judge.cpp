@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Judge.h"
+
+namespace toss {
+
+std::vector<bool> Judge::live(const ScanRecord& record,
+                              const std::vector<FreeSpaceSum>& evidence) const {
+  DecisionOptions options = options_;
+  options.freeShare = options_.liveFreeShare;
+  std::vector<bool> moving(record.owners.size(), false);
+  for (std::size_t o = 1; o < moving.size(); ++o) {
+    const Owner& owner = record.owners[o];
+    const MotionClass trace = traces_.liveClass(owner.track);
+    const bool voted = isDynamic(trace) || (owner.votes && voting_.isDynamic(owner.box));
+    const FreeSpaceSum own = o < evidence.size() ? evidence[o] : FreeSpaceSum();
+    moving[o] = fuseInstance(voted, trace, own, options);
+  }
+  return moving;
+}
+
+std::vector<bool> Judge::final(const ScanRecord& record, bool last) const {
+  std::vector<bool> moving(record.owners.size(), false);
+  for (std::size_t o = 1; o < moving.size(); ++o) {
+    const Owner& owner = record.owners[o];
+    const MotionClass trace = traces_.finalClass(owner.track, last);
+    const bool voted = owner.votes ? voting_.isDynamic(owner.box) : isDynamic(trace);
+    moving[o] = fuseInstance(voted, trace, owner.evidence, options_);
+  }
+  return moving;
+}
+
+void Judge::findLoneMovers(const EvidenceCells& cells, ScanRecord& record) const {
+  for (std::size_t i = 0; i < cells.cellOfPoint.size(); ++i) {
+    if (cells.cellOfPoint[i] < 0 || record.pointClass[i] != PointClass::Unclustered) continue;
+    const auto cell = static_cast<std::size_t>(cells.cellOfPoint[i]);
+    record.loneMover[i] =
+        cells.hitViews[cell] == 0 && cells.freeViews[cell] >= options_.loneFreeViews;
+  }
+}
+
+}  // namespace toss

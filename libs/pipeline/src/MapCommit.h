@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/mapping/StaticMap.h>
+
+#include "ScanRecord.h"
+
+namespace toss {
+
+/// Enters the returns of a scan into the static map once all views have testified: each owner's
+/// under a ledger of its own, what nobody owns for good. Sets record.firstLedger from `nextLedger`
+/// and drops the record's coordinates.
+void commitScan(const MappingOptions& options, const std::vector<bool>& movingOwners,
+                ScanRecord& record, BoxId& nextLedger, StaticMap& map);
+
+/// Gives every ledger of a committed scan its owner's present label.
+void updateLedgers(const ScanRecord& record, const std::vector<bool>& movingOwners, StaticMap& map);
+
+/// Makes the labels of all ledgers of a committed scan final.
+void settleLedgers(const ScanRecord& record, StaticMap& map);
+
+}  // namespace toss

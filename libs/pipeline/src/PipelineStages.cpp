@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PipelineStages.h"
+
+#include <toss/tracking/BoundingBoxes.h>
+
+#include <algorithm>
+
+#include "MapCommit.h"
+#include "ScanLabeling.h"
+
+namespace toss {
+
+Pipeline::Implementation::Implementation(const PipelineOptions& o, const SensorModel& sensor)
+    : options(o),
+      segmenter(o.projection, o.ground, o.objects, sensor),
+      tracker(o.tracking),
+      thinning(o.visibility.cellSize),
+      witness(o.visibility),
+      voting(o.voting),
+      traces(o.decision, o.visibility.enabled),
+      judge(options.decision, voting, traces),
+      builder(o.decision.claimMargin, o.mapping.groundResidueHeight) {
+  for (const Options* section : options.sections()) section->check();
+}
+
+void Pipeline::Implementation::segment(const PosedScan& scan) {
+  segmenter.segment(scan, segmented);
+  clock.book("projection", segmenter.times().projection);
+  clock.book("ground", segmenter.times().ground);
+  clock.book("objects", segmenter.times().objects);
+  clock.skip();
+}
+
+void Pipeline::Implementation::track(const PosedScan& scan) {
+  detectInstances(segmented.level, segmented.segmentation, scan.mapFromSensor.translation(),
+                  options.boxes, detections);
+  clock.lap("boxes");
+  tracker.update(scan.time, detections);
+  records.push_back(builder.build(scan, segmented, detections, tracker));
+  for (const Track& each : tracker.tracks()) traces.setMotion(each.id, each.motion);
+  clock.lap("tracking");
+}
+
+void Pipeline::Implementation::askViews(const PosedScan& scan) {
+  pastEvidence.clear();
+  if (options.visibility.enabled) {
+    EvidenceCells cells;
+    thinning.thin(segmented.level, segmented.segmentation, cells);
+    witness.add(scan.time, segmented.image, scan.mapFromSensor, std::move(cells));
+    pastEvidence = sumByInstance(witness.latest(), segmented.segmentation.instanceCount,
+                                 options.visibility.minFreeViews);
+    for (std::size_t k = 1; k < pastEvidence.size(); ++k)
+      if (const TrackId id = records.back().owners[k].track; id != 0)
+        traces.addPast(id, pastEvidence[k]);
+  }
+  clock.lap("visibility");
+}
+
+void Pipeline::Implementation::vote(const PosedScan& scan) {
+  ScanRecord& record = records.back();
+  setFinalClasses(record, false);
+  const BoxId first = voting.addScan(votingBoxes(detections, tracker, scanNumber++, scan.time));
+  for (std::size_t d = 0; d < detections.size(); ++d) {
+    Owner& owner = record.owners[static_cast<std::size_t>(detections[d].instance)];
+    owner.box = first + d;
+    owner.votes = true;
+  }
+  clock.lap("voting");
+}
+
+void Pipeline::Implementation::labelLive() {
+  labelScan(
+      records.back(), judge.live(records.back(), pastEvidence),
+      [&](TrackId id) { return isDynamic(traces.liveClass(id)); }, live);
+  clock.lap("labels");
+}
+
+void Pipeline::Implementation::setFinalClasses(const ScanRecord& record, bool last) {
+  for (const TrackSample& sample : record.tracks)
+    voting.setTrackClass(sample.track, traces.finalClass(sample.track, last));
+}
+
+void Pipeline::Implementation::takeEvidence(const EvidenceCells& cells, ScanRecord& record) {
+  const auto instances =
+      static_cast<std::int32_t>(std::count_if(record.owners.begin(), record.owners.end(),
+                                              [](const Owner& owner) { return owner.instance; }));
+  const std::vector<FreeSpaceSum> sums =
+      sumByInstance(cells, instances, options.visibility.minFreeViews);
+  for (std::size_t k = 1; k < sums.size(); ++k) {
+    record.owners[k].evidence = sums[k];
+    if (record.owners[k].track != 0) traces.addFinal(record.owners[k].track, sums[k]);
+  }
+  judge.findLoneMovers(cells, record);
+  setFinalClasses(record, false);
+}
+
+void Pipeline::Implementation::commitComplete(bool all) {
+  const auto commitNext = [&] {
+    ScanRecord& record = records[committed++];
+    if (!map) map = makeStaticMap(options.mapping, record.sensorPosition);
+    commitScan(options.mapping, judge.final(record, false), record, nextLedger, *map);
+  };
+  if (options.visibility.enabled) {
+    for (const EvidenceCells& cells : witness.takeComplete(all)) {
+      takeEvidence(cells, records[committed]);
+      commitNext();
+    }
+  } else {
+    const double now = records.empty() ? 0.0 : records.back().time;
+    while (committed < records.size() &&
+           (all || now - records[committed].time >= options.mapping.insertionDelay))
+      commitNext();
+  }
+  clock.lap("mapping");
+}
+
+void Pipeline::Implementation::settleFirst() {
+  ScanRecord& record = records.front();
+  const std::vector<bool> moving = judge.final(record, true);
+  updateLedgers(record, moving, *map);
+  settleLedgers(record, *map);
+  settled.emplace_back();
+  labelScan(
+      record, moving, [&](TrackId id) { return isDynamic(traces.finalClass(id, true)); },
+      settled.back());
+  for (const Owner& owner : record.owners)
+    if (owner.votes) voting.release(owner.box);
+  records.pop_front();
+  --committed;
+  forgetOld();
+}
+
+void Pipeline::Implementation::forgetOld() {
+  if (records.empty()) return;
+  // Traces that are not in the oldest scan left are newer than those in it, or over.
+  const ScanRecord& oldest = records.front();
+  if (!oldest.tracks.empty()) traces.forgetBelow(oldest.tracks.front().track);
+  if (options.voting.horizon > 0.0) voting.forgetBefore(oldest.time - options.voting.horizon);
+}
+
+void Pipeline::Implementation::settle(bool all) {
+  const double horizon = options.voting.horizon;
+  if (all)
+    for (const ScanRecord& record : records) setFinalClasses(record, true);
+  const auto isDue = [&](const ScanRecord& record) {
+    return all || (horizon > 0.0 && records.back().time - record.time > horizon);
+  };
+  while (committed > 0 && isDue(records.front())) {
+    if (!all) setFinalClasses(records.front(), true);
+    settleFirst();
+  }
+  clock.lap("settling");
+}
+
+}  // namespace toss

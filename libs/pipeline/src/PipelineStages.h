@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/pipeline/Pipeline.h>
+#include <toss/tracking/Tracker.h>
+#include <toss/visibility/FreeSpaceWitness.h>
+#include <toss/voting/DsVoting.h>
+
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include "Judge.h"
+#include "RecordBuilder.h"
+#include "StageClock.h"
+
+namespace toss {
+
+/// The stages of the method and what they hand to each other, for one run.
+struct Pipeline::Implementation {
+  Implementation(const PipelineOptions& options, const SensorModel& sensor);
+
+  /// Stages 1 to 3: every return gets a class, and an instance where it has one.
+  void segment(const PosedScan& scan);
+  /// Stages 4 to 6: boxes, traces, and how the traces moved.
+  void track(const PosedScan& scan);
+  /// Views of other scans testify, as far as they have been taken (spec section 12).
+  void askViews(const PosedScan& scan);
+  /// Stage 7: the boxes vote and are voted on.
+  void vote(const PosedScan& scan);
+  /// The answer with no look-ahead.
+  void labelLive();
+  /// Stage 8: scans on which all views have testified enter the map; with `all`, every scan.
+  void commitComplete(bool all);
+  /// Labels that nothing can change any more become final; with `all`, every label.
+  void settle(bool all);
+
+  void takeEvidence(const EvidenceCells& cells, ScanRecord& record);
+  void setFinalClasses(const ScanRecord& record, bool last);
+  void settleFirst();
+  void forgetOld();
+
+  PipelineOptions options;
+  Segmenter segmenter;
+  Tracker tracker;
+  CellThinning thinning;
+  FreeSpaceWitness witness;
+  DsVoting voting;
+  TraceBook traces;
+  Judge judge;
+  RecordBuilder builder;
+  std::unique_ptr<StaticMap> map;
+
+  SegmentedScan segmented;
+  std::vector<Detection> detections;
+  std::vector<FreeSpaceSum> pastEvidence;
+  std::int64_t scanNumber = 0;
+  BoxId nextLedger = 0;
+  /// Scans whose labels are not final, in order of time; the first `committed` are in the map.
+  std::deque<ScanRecord> records;
+  std::size_t committed = 0;
+  std::vector<ScanLabels> settled;
+  ScanLabels live;
+  StageClock clock;
+};
+
+}  // namespace toss

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RecordBuilder.h"
+
+#include <algorithm>
+
+namespace toss {
+namespace {
+
+const Track* findTrack(const std::vector<Track>& tracks, TrackId id) {
+  const auto found = std::lower_bound(tracks.begin(), tracks.end(), id,
+                                      [](const Track& t, TrackId wanted) { return t.id < wanted; });
+  return found != tracks.end() && found->id == id ? &*found : nullptr;
+}
+
+}  // namespace
+
+void RecordBuilder::addInstances(const std::vector<Detection>& detections, const Tracker& tracker,
+                                 ScanRecord& record) const {
+  for (std::size_t d = 0; d < detections.size(); ++d) {
+    Owner& owner = record.owners[static_cast<std::size_t>(detections[d].instance)];
+    owner.instance = true;
+    owner.track = tracker.trackOfDetection()[d];
+  }
+}
+
+void RecordBuilder::addClaims(const SegmentedScan& segmented,
+                              const std::vector<Detection>& detections, const Tracker& tracker,
+                              ScanRecord& record) {
+  std::vector<Box> boxes;
+  for (const Track& track : tracker.tracks()) {
+    // What was seen tells the extent of this scan better than the smoothed estimate.
+    boxes.push_back(track.updated() ? detections[static_cast<std::size_t>(track.detection)].box
+                                    : track.box);
+    Owner owner;
+    owner.track = track.id;
+    record.owners.push_back(owner);
+  }
+  claims_.find(segmented.level, segmented.segmentation, boxes, record.sensorPosition,
+               claimOfPoint_);
+  const std::int32_t firstClaim = segmented.segmentation.instanceCount + 1;
+  for (std::size_t i = 0; i < claimOfPoint_.size(); ++i)
+    if (claimOfPoint_[i] >= 0) record.owner[i] = firstClaim + claimOfPoint_[i];
+}
+
+ScanRecord RecordBuilder::build(const PosedScan& scan, const SegmentedScan& segmented,
+                                const std::vector<Detection>& detections, const Tracker& tracker) {
+  ScanRecord record;
+  record.scan = scan.index;
+  record.time = scan.time;
+  record.sensorPosition = scan.mapFromSensor.translation();
+  record.pointClass = segmented.segmentation.pointClass;
+  record.owner = segmented.segmentation.instance;
+  record.loneMover.assign(record.owner.size(), false);
+  record.level = segmented.level;
+  record.intensity = scan.points.intensity;
+  record.owners.resize(static_cast<std::size_t>(segmented.segmentation.instanceCount) + 1);
+  addInstances(detections, tracker, record);
+  addClaims(segmented, detections, tracker, record);
+  for (const Track& track : tracker.tracks())
+    record.tracks.push_back(
+        {track.id, isDynamic(track.motion), track.updated(), track.box, track.velocity});
+  return record;
+}
+
+std::vector<VotingBox> votingBoxes(const std::vector<Detection>& detections, const Tracker& tracker,
+                                   std::int64_t scanNumber, double time) {
+  std::vector<VotingBox> boxes;
+  for (std::size_t d = 0; d < detections.size(); ++d) {
+    const Box& box = detections[d].box;
+    const Track* track = findTrack(tracker.tracks(), tracker.trackOfDetection()[d]);
+    VotingBox vote;
+    vote.scan = scanNumber;
+    vote.time = time;
+    vote.center = box.center;
+    vote.volume = box.volume();
+    vote.extent = std::max(box.length, box.width);
+    if (track != nullptr) vote.track = track->id, vote.speed = track->speed();
+    boxes.push_back(vote);
+  }
+  return boxes;
+}
+
+}  // namespace toss

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/geometry/PosedScan.h>
+#include <toss/segmentation/Segmenter.h>
+#include <toss/tracking/Tracker.h>
+
+#include "BoxClaims.h"
+#include "ScanRecord.h"
+
+namespace toss {
+
+/// Turns what segmentation and tracking found in a scan into its record.
+class RecordBuilder {
+ public:
+  /// See BoxClaims.
+  RecordBuilder(double claimMargin, double residueHeight) : claims_(claimMargin, residueHeight) {}
+
+  ScanRecord build(const PosedScan& scan, const SegmentedScan& segmented,
+                   const std::vector<Detection>& detections, const Tracker& tracker);
+
+ private:
+  void addInstances(const std::vector<Detection>& detections, const Tracker& tracker,
+                    ScanRecord& record) const;
+  void addClaims(const SegmentedScan& segmented, const std::vector<Detection>& detections,
+                 const Tracker& tracker, ScanRecord& record);
+
+  BoxClaims claims_;
+  std::vector<std::int32_t> claimOfPoint_;
+};
+
+/// The boxes of a scan as DS-Voting takes them, in the order of their owners, which learn their
+/// number: that of the first box is `firstBox`.
+std::vector<VotingBox> votingBoxes(const std::vector<Detection>& detections, const Tracker& tracker,
+                                   std::int64_t scanNumber, double time);
+
+}  // namespace toss

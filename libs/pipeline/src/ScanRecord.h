@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/mapping/StaticMap.h>
+#include <toss/pipeline/ScanLabels.h>
+#include <toss/segmentation/Segmentation.h>
+#include <toss/visibility/EvidenceCells.h>
+#include <toss/voting/DsVoting.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace toss {
+
+/// What decides about a group of returns of one scan: an instance, or the box of a trace that
+/// claims returns which are in no instance.
+struct Owner {
+  /// Trace, 0 = none.
+  TrackId track = 0;
+  /// Box that is voted on; meaningful where `votes`.
+  BoxId box = 0;
+  bool votes = false;
+  /// An instance, as against a claim.
+  bool instance = false;
+  /// What views say about the instance; empty for claims.
+  FreeSpaceSum evidence;
+};
+
+/// One scan from the time it came in until its labels are final. Index-aligned with its points.
+struct ScanRecord {
+  std::uint64_t scan = 0;
+  double time = 0.0;
+  Eigen::Vector3d sensorPosition = Eigen::Vector3d::Zero();
+  /// Shape [n]: class, and owner (index into `owners`).
+  std::vector<PointClass> pointClass;
+  std::vector<std::int32_t> owner;
+  /// Returns that move although nothing that owns them does, shape [n]; set with the evidence.
+  std::vector<bool> loneMover;
+  /// owners[0] is nobody; instance k is owners[k]; claims follow.
+  std::vector<Owner> owners;
+  /// Ledger of owners[0] in the static map; the others follow.
+  BoxId firstLedger = 0;
+  std::vector<TrackSample> tracks;
+  /// Whether all views have testified and the returns are in the static map. Until then the
+  /// coordinates are kept.
+  bool complete = false;
+  LevelPoints level;
+  std::vector<float> intensity;
+};
+
+}  // namespace toss

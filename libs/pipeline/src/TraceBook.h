@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/tracking/Track.h>
+#include <toss/visibility/EvidenceCells.h>
+#include <toss/voting/FusedDecision.h>
+
+#include <deque>
+
+namespace toss {
+
+/// What is known of every trace, for as long as a scan in which it was seen is not settled.
+class TraceBook {
+ public:
+  TraceBook(const DecisionOptions& options, bool awaitEvidence)
+      : options_(options), awaitEvidence_(awaitEvidence) {}
+
+  /// Takes over the coarse class that tracking has come to.
+  void setMotion(TrackId track, MotionClass motion) { at(track).motion = motion; }
+  /// Adds what past views say of one more instance of the trace (live), and what all views say.
+  void addPast(TrackId track, const FreeSpaceSum& evidence) { at(track).past.add(evidence); }
+  void addFinal(TrackId track, const FreeSpaceSum& evidence);
+
+  /// Class with no look-ahead.
+  MotionClass liveClass(TrackId track) const;
+  /// Class for the final labels. A weak motion waits for its evidence unless `last` says that no
+  /// more will come.
+  MotionClass finalClass(TrackId track, bool last) const;
+
+  /// Forgets traces whose number is below `track`.
+  void forgetBelow(TrackId track);
+
+ private:
+  struct Trace {
+    MotionClass motion = MotionClass::Static;
+    FreeSpaceSum past, all;
+    int scansWithEvidence = 0;
+  };
+  Trace& at(TrackId track);
+  const Trace* find(TrackId track) const;
+
+  DecisionOptions options_;
+  bool awaitEvidence_;
+  TrackId first_ = 1;
+  std::deque<Trace> traces_;
+};
+
+}  // namespace toss

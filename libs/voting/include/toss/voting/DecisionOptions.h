@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/geometry/Options.h>
+
+namespace toss {
+
+/// How motion, votes and free space become one verdict, section [decision] (spec section 12).
+struct DecisionOptions : Options {
+  /// An instance of which this share is seen through moves, whatever its trace did.
+  double freeShare = 0.5;
+  /// The same for a trace, over all its instances.
+  double traceFreeShare = 0.35;
+  /// The same for the live label, where only past views testify.
+  double liveFreeShare = 0.35;
+  /// A weak trace of which this share was measured again, and next to nothing seen through, stays.
+  double vetoHitShare = 0.6;
+  /// Cells that an instance needs for its free share to count alone.
+  int minCells = 3;
+  /// Free views that make a return without an instance move on its own.
+  int loneFreeViews = 4;
+  /// Margin by which the box of a trace claims returns that have no instance [m].
+  double claimMargin = 0.15;
+
+  const char* section() const override { return "decision"; }
+  void visit(OptionVisitor& visitor) override;
+};
+
+}  // namespace toss

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/tracking/Track.h>
+#include <toss/visibility/EvidenceCells.h>
+#include <toss/voting/DecisionOptions.h>
+
+namespace toss {
+
+/// Class of a trace from how it moved and from what other scans saw where it was: free space alone
+/// makes it Strong, a hit record takes a Weak motion back, else motion decides (spec section 12).
+MotionClass fuseTrace(MotionClass motion, const FreeSpaceSum& evidence,
+                      const DecisionOptions& options);
+
+/// Verdict on one instance: `voted` is DS-Voting's label, `trace` the fused class of its trace, and
+/// `evidence` what views say about the instance alone. True = moving.
+bool fuseInstance(bool voted, MotionClass trace, const FreeSpaceSum& evidence,
+                  const DecisionOptions& options);
+
+}  // namespace toss

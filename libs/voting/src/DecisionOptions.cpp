@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <toss/voting/DecisionOptions.h>
+
+namespace toss {
+
+void DecisionOptions::visit(OptionVisitor& v) {
+  v.real({"free_share", "", "An instance moves if this share of it is seen through", "spec 12"},
+         freeShare, 0.0, 1.0);
+  v.real({"trace_free_share", "", "A trace moves if this share of it is seen through", "spec 12"},
+         traceFreeShare, 0.0, 1.0);
+  v.real({"live_free_share", "", "The same for live labels, from past views alone", "spec 12"},
+         liveFreeShare, 0.0, 1.0);
+  v.real(
+      {"veto_hit_share", "", "A weak trace stays if this share of it is measured again", "spec 12"},
+      vetoHitShare, 0.0, 1.0);
+  v.integer(
+      {"min_cells", "", "Cells that an instance needs for its free share to count", "spec 12"},
+      minCells, 1, 100);
+  v.integer(
+      {"lone_free_views", "", "Free views that make a return without an instance move", "spec 12"},
+      loneFreeViews, 1, 100);
+  v.real({"claim_margin", "m", "Margin by which a trace's box claims returns without an instance",
+          "spec 10"},
+         claimMargin, 0.0, 1.0);
+}
+
+}  // namespace toss
