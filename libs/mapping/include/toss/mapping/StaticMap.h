@@ -42,8 +42,8 @@ class StaticMap {
 
   /// Label of a box that is neither folded nor settled; std::logic_error for other boxes.
   virtual void setDynamic(BoxId box, bool dynamic) = 0;
-  /// Moves the box's returns to the ledger of its trace: from now on they are static or dynamic with
-  /// revokeTrack alone. A box that is dynamic at this time is dropped from the map for good; a
+  /// Moves the box's returns to the ledger of its trace: from now on they are static or dynamic
+  /// with revokeTrack alone. A box that is dynamic at this time is dropped from the map for good; a
   /// static one without a trace is settled.
   virtual void fold(BoxId box) = 0;
   /// Takes all folded returns of the trace out of the map; no effect where it has none.

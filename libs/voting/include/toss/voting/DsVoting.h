@@ -41,7 +41,7 @@ class DsVoting {
 
   /// Takes all boxes of one scan together (a later scan than the last call's), with the present
   /// class of their traces already set by setTrackClass. Returns the id of the first; the others
-  /// follow in order.
+  /// follow in order. Throws std::logic_error for scans out of order and boxes not finite.
   BoxId addScan(const std::vector<VotingBox>& boxes);
   /// The coarse class of a trace. Unknown traces are Static. May be raised at any time, for the
   /// whole life of the trace: all its boxes are judged and vote anew (back-propagation).
@@ -56,13 +56,17 @@ class DsVoting {
   Votes votes(BoxId box) const;
 
   /// Boxes whose label changed since the last call, ascending, each once. A new box counts as
-  /// static before its scan is added.
+  /// static before its scan is added; released boxes are not reported.
   std::vector<BoxId> takeChanges();
 
   /// Forgets what is needed only to judge `box`; it goes on voting. For boxes whose label the
   /// caller has settled: bounds the memory of long runs.
   void release(BoxId box);
-  /// Forgets voters older than `time` [s]: the horizon of an online run.
+  /// Settles the boxes of scans before `time` [s]: their labels stand, whatever comes. Forgets the
+  /// voters that no other box needs, those before `time` - horizon, so that the labels of later
+  /// boxes do not depend on this call. With an infinite horizon the voters before `time` go: the
+  /// labels of later boxes are then those of a horizon of that length. Records of boxes go when
+  /// they are forgotten as voters and released.
   void forgetBefore(double time);
 
  private:

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <toss/mapping/MappingOptions.h>
+
+namespace toss {
+
+void MappingOptions::visit(OptionVisitor& visitor) {
+  visitor.real(
+      {"voxel_size", "m", "Edge of a voxel of the map; 0 keeps every return as a point of its own",
+       "spec 8.2"},
+      voxelSize, 0.0, 10.0);
+  visitor.integer(
+      {"cap", "",
+       "Returns of one scan and instance that count in one voxel; smaller gives what is "
+       "seen for long less weight",
+       "spec 8.2"},
+      cap, 1, 65535);
+  visitor.integer({"min_points", "", "Returns a voxel needs to be in the finished map", "spec 8.2"},
+                  minPoints, 1, 1000);
+  visitor.flag(
+      {"keep_below_ground", "", "Whether returns under the ground (mirrors) are kept", "spec 8.1"},
+      keepBelowGround);
+  visitor.choice({"far_points", "", "What becomes of returns out of range", "spec 1.1"}, farPoints,
+                 {"keep_static", "drop"});
+  visitor.real(
+      {"insertion_delay", "s",
+       "Time between a scan and the entry of its boxes; the final map does not depend on it",
+       "spec 7.5"},
+      insertionDelay, 0.0, 60.0);
+  visitor.real({"ground_residue_height", "m",
+                "Ground returns in a dynamic footprint higher than this go with the box; larger "
+                "leaves more of them",
+                "spec 10, measure 3"},
+               groundResidueHeight, 0.0, 1.0);
+}
+
+}  // namespace toss

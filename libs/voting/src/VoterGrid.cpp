@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VoterGrid.h"
+
+#include <algorithm>
+
+namespace toss {
+
+namespace {
+constexpr double kLargestCoordinate = 1e9;
+constexpr std::size_t kSmallestCompaction = 32;
+}  // namespace
+
+std::int64_t VoterGrid::coordinate(double metres) const {
+  return static_cast<std::int64_t>(
+      std::clamp(std::floor(metres / cellSize_), -kLargestCoordinate, kLargestCoordinate));
+}
+
+VoterGrid::CellIndex VoterGrid::insert(const Voter& voter) {
+  const std::int64_t column = coordinate(voter.center.x());
+  const std::int64_t row = coordinate(voter.center.y());
+  const auto [place, isNew] = indexOf_.try_emplace(key(column, row), 0u);
+  if (isNew) {
+    if (free_.empty()) {
+      free_.push_back(static_cast<CellIndex>(cells_.size()));
+      cells_.emplace_back();
+    }
+    place.value() = free_.back();
+    free_.pop_back();
+    cells_[place->second].column = column;
+    cells_[place->second].row = row;
+  }
+  cells_[place->second].voters.push_back(voter);
+  return place->second;
+}
+
+void VoterGrid::removeEarliest(CellIndex index) {
+  VoterCell& cell = cells_[index];
+  ++cell.first;
+  if (cell.first == cell.voters.size()) {
+    indexOf_.erase(key(cell.column, cell.row));
+    cell = VoterCell();
+    free_.push_back(index);
+  } else if (cell.first >= kSmallestCompaction && 2 * cell.first >= cell.voters.size()) {
+    cell.voters.erase(cell.voters.begin(),
+                      cell.voters.begin() + static_cast<std::ptrdiff_t>(cell.first));
+    cell.first = 0;
+  }
+}
+
+const Voter& VoterGrid::find(CellIndex index, BoxId box) const {
+  const VoterCell& cell = cells_[index];
+  return *std::lower_bound(cell.begin(), cell.end(), box,
+                           [](const Voter& voter, BoxId id) { return voter.id < id; });
+}
+
+std::vector<VoterGrid::CellIndex> VoterGrid::withNeighbors(
+    const std::vector<CellIndex>& cells) const {
+  std::vector<CellIndex> result;
+  for (const CellIndex index : cells) {
+    for (std::int64_t c = -1; c <= 1; ++c) {
+      for (std::int64_t r = -1; r <= 1; ++r) {
+        const auto found = indexOf_.find(key(cells_[index].column + c, cells_[index].row + r));
+        if (found != indexOf_.end()) result.push_back(found->second);
+      }
+    }
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+}  // namespace toss

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <tsl/robin_map.h>
+
+#include <cmath>
+
+#include "VoteRules.h"
+
+namespace toss {
+
+/// The boxes of one square of the ground plane.
+struct VoterCell {
+  /// Place in the grid, in units of the cell size.
+  std::int64_t column = 0, row = 0;
+  /// Boxes by ascending id, and with it by time; those before `first` are forgotten.
+  std::vector<Voter> voters;
+  std::size_t first = 0;
+  /// Boxes that a vote for static may turn; may hold some that no longer wait, in any order.
+  std::vector<Voter> pending;
+
+  const Voter* begin() const { return voters.data() + first; }
+  const Voter* end() const { return voters.data() + voters.size(); }
+};
+
+/// Spatial index of boxes over x and y (spec section 7.4). Boxes come and go in order of time.
+class VoterGrid {
+ public:
+  using CellIndex = std::uint32_t;
+
+  /// `cellSize` [m]: also the largest radius that visit() may be asked for.
+  explicit VoterGrid(double cellSize) : cellSize_(cellSize) {}
+
+  /// Adds a box that is later than all others, or of the latest scan; returns its cell.
+  CellIndex insert(const Voter& voter);
+  /// Takes the earliest box of the cell out; a cell left empty is given up.
+  void removeEarliest(CellIndex index);
+
+  VoterCell& cell(CellIndex index) { return cells_[index]; }
+  /// The box of that id in that cell; it must be there.
+  const Voter& find(CellIndex index, BoxId box) const;
+
+  /// Calls `visit(VoterCell&)` for every cell that is within `radius` of `center` along x and y.
+  template <typename Visit>
+  void visit(const Eigen::Vector3d& center, double radius, Visit&& visit) {
+    const std::int64_t lastColumn = coordinate(center.x() + radius);
+    const std::int64_t lastRow = coordinate(center.y() + radius);
+    for (std::int64_t c = coordinate(center.x() - radius); c <= lastColumn; ++c) {
+      for (std::int64_t r = coordinate(center.y() - radius); r <= lastRow; ++r) {
+        const auto found = indexOf_.find(key(c, r));
+        if (found != indexOf_.end()) visit(cells_[found->second]);
+      }
+    }
+  }
+
+  /// The given cells and all that touch them, each once, ascending.
+  std::vector<CellIndex> withNeighbors(const std::vector<CellIndex>& cells) const;
+
+ private:
+  static std::uint64_t key(std::int64_t column, std::int64_t row) {
+    return (static_cast<std::uint64_t>(column) << 32) ^
+           (static_cast<std::uint64_t>(row) & 0xffffffff);
+  }
+  std::int64_t coordinate(double metres) const;
+
+  double cellSize_;
+  tsl::robin_map<std::uint64_t, CellIndex> indexOf_;
+  std::vector<VoterCell> cells_;
+  std::vector<CellIndex> free_;
+};
+
+}  // namespace toss
