@@ -6,6 +6,7 @@
 #include <toss/segmentation/ObjectOptions.h>
 #include <toss/segmentation/ProjectionOptions.h>
 #include <toss/tracking/BoxOptions.h>
+#include <toss/tracking/MotionOptions.h>
 #include <toss/tracking/TrackingOptions.h>
 #include <toss/visibility/VisibilityOptions.h>
 #include <toss/voting/DecisionOptions.h>
@@ -22,6 +23,7 @@ struct PipelineOptions {
   ObjectOptions objects;
   BoxOptions boxes;
   TrackingOptions tracking;
+  MotionOptions motion;
   VisibilityOptions visibility;
   VotingOptions voting;
   DecisionOptions decision;

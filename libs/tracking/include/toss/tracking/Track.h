@@ -15,7 +15,9 @@ using TrackId = std::uint64_t;
 /// travelled so far that voting may not return them to static (spec section 7.3).
 enum class MotionClass : std::uint8_t { Static, Weak, Strong };
 
-inline bool isDynamic(MotionClass motion) { return motion != MotionClass::Static; }
+inline bool isDynamic(MotionClass motion) {
+  return motion != MotionClass::Static;
+}
 
 /// A trace as it stands after the last scan.
 struct Track {
@@ -26,12 +28,18 @@ struct Track {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   /// Time of the first detection [s], and of the estimate [s].
   double birthTime = 0.0, time = 0.0;
-  /// Detections in all, and scans in a row without one.
-  int hits = 0, misses = 0;
+  /// Detections in all, scans in a row without one, and scans without one in the whole life.
+  int hits = 0, misses = 0, totalMisses = 0;
+  /// Whether it has had enough detections to count as a trace (TrackingOptions::lifecycle.minHits).
+  bool confirmed = false;
   /// Index of the detection of the last scan, -1 where it was missed.
   std::int32_t detection = -1;
   /// Coarse class; goes from Static to Weak to Strong, never back.
   MotionClass motion = MotionClass::Static;
+
+  /// Evidence for later stages, all from detections, horizontal [m]: largest distance of the
+  /// estimated centre from its first place, length of its path, median of the longer edge.
+  double excursion = 0.0, pathLength = 0.0, medianExtent = 0.0;
 
   bool updated() const { return detection >= 0; }
   double speed() const { return velocity.head<2>().norm(); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <toss/tracking/Detection.h>
+#include <toss/tracking/MotionOptions.h>
 #include <toss/tracking/Track.h>
 #include <toss/tracking/TrackingOptions.h>
 
@@ -15,11 +16,12 @@ namespace toss {
 class Tracker {
  public:
   /// Throws UserError for options out of range.
-  explicit Tracker(const TrackingOptions& options);
+  explicit Tracker(const TrackingOptions& tracking, const MotionOptions& motion = {});
   ~Tracker();
 
-  /// Predicts all traces to `time` [s] (later than the last call's), associates `detections` with
-  /// them, updates, starts and ends traces, and classifies their motion.
+  /// Predicts all traces to `time` [s] (later than the last call's, else std::logic_error),
+  /// associates `detections` with them, updates, starts and ends traces, and classifies their
+  /// motion. The traces do not depend on the order of the detections.
   void update(double time, const std::vector<Detection>& detections);
 
   /// Trace of each detection of the last scan, 0 for background and for boxes with too few points,

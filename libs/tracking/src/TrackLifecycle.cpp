@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <toss/tracking/TrackLifecycle.h>
+
+#include <cmath>
+
+namespace toss {
+
+bool mayContinueTrack(const Detection& detection, const LifecycleOptions& options) {
+  const Box& box = detection.box;
+  return !detection.background && detection.pointCount >= options.minMatchPoints &&
+         box.center.allFinite() && std::isfinite(box.yaw + box.length + box.width + box.height);
+}
+
+bool mayStartTrack(const Detection& detection, const LifecycleOptions& options) {
+  return mayContinueTrack(detection, options) && detection.pointCount >= options.minBirthPoints;
+}
+
+bool hasEnded(const Track& track, const LifecycleOptions& options) {
+  const bool lifelong = options.rule == LifeRule::AutoMos;
+  return (lifelong ? track.totalMisses : track.misses) >= options.maxMisses;
+}
+
+}  // namespace toss
