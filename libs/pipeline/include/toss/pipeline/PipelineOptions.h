@@ -31,8 +31,8 @@ struct PipelineOptions {
 
   /// One entry per section, in the order of the stages.
   std::vector<Options*> sections() {
-    return {&projection, &ground, &objects,  &boxes,  &tracking,
-            &visibility, &voting, &decision, &mapping};
+    return {&projection, &ground,     &objects, &boxes,    &tracking,
+            &motion,     &visibility, &voting,  &decision, &mapping};
   }
 };
 
