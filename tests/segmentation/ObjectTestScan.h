@@ -61,7 +61,8 @@ class ObjectTestScan {
             std::sin(elevation)};
   }
 
-  /// Appends a return at `range` [m] in the middle of a pixel. Chains stay nearest first.
+  /// Appends a return at `range` [m] in the middle of a pixel. The nearest represents the pixel,
+  /// the rest of the chain is in no order.
   void add(int row, int column, double range, int boxNumber = -1) {
     const Eigen::Vector3f point = (range * direction(row, column)).cast<float>();
     const std::int32_t i = static_cast<std::int32_t>(size());
@@ -72,10 +73,10 @@ class ObjectTestScan {
     image.next.push_back(RangeImage::kNone);
     segmentation.pointClass.push_back(PointClass::Unclustered);
     box.push_back(boxNumber);
-    std::int32_t* link = &image.representative[image.pixel(row, column)];
-    while (*link >= 0 && rangeOf(*link) <= image.range.back()) link = &nextOf(*link);
-    nextOf(i) = *link;
-    *link = i;
+    std::int32_t& head = image.representative[image.pixel(row, column)];
+    std::int32_t& link = head < 0 || range < rangeOf(head) ? head : nextOf(head);
+    nextOf(i) = link;
+    link = i;
   }
 
   /// Adds the nearest hit of every pixel's ray with `boxes`.

@@ -31,18 +31,23 @@ bool linked(const ObjectTestScan& scan, const LinkRules& rules, std::size_t a, s
          (rowGap <= 1 || std::abs(scan.points.z[a] - scan.points.z[b]) <= rules.maxHeightGap);
 }
 
-/// Returns that are nodes, by pixel; and for each return the node it shares.
+/// Returns that are nodes, by pixel; and for each return the node it shares: the first one of its
+/// pixel at about its range.
 std::vector<std::size_t> nodesOf(const ObjectTestScan& scan, double pixelMerge,
                                  std::vector<std::size_t>& host) {
   std::vector<std::size_t> nodes;
   host.resize(scan.size());
   for (const std::int32_t head : scan.image.representative) {
+    const std::size_t begin = nodes.size();
     for (std::int32_t p = head; p >= 0; p = scan.image.next[static_cast<std::size_t>(p)]) {
       const std::size_t i = static_cast<std::size_t>(p);
-      const bool mate = p != head && scan.image.range[i] - scan.image.range[nodes.back()] <
-                                         static_cast<float>(pixelMerge);
-      if (!mate) nodes.push_back(i);
-      host[i] = nodes.back();
+      std::size_t n = begin;
+      while (n < nodes.size() && std::abs(scan.image.range[i] - scan.image.range[nodes[n]]) >=
+                                     static_cast<float>(pixelMerge)) {
+        ++n;
+      }
+      if (n == nodes.size()) nodes.push_back(i);
+      host[i] = nodes[n];
     }
   }
   return nodes;
@@ -86,7 +91,9 @@ ObjectTestScan randomScan(unsigned seed, double tilt) {
       range *= 1.0 + 0.02 * (uniform(random) - 0.5);
       if (uniform(random) < 0.2) continue;
       scan.add(row, column, range);
-      if (uniform(random) < 0.2) scan.add(row, column, range + uniform(random));
+      for (int more = 0; more < 3 && uniform(random) < 0.2; ++more) {
+        scan.add(row, column, range + uniform(random));
+      }
     }
   }
   for (std::size_t i = 0; i < scan.size(); ++i) {

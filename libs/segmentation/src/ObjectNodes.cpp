@@ -29,10 +29,34 @@ void addNode(const LevelPoints& points, const LinkRules& rules, std::size_t i, i
   nodes.returns.push_back(1);
 }
 
-void addMate(std::size_t i, ObjectNodes& nodes) {
-  nodes.matePoint.push_back(static_cast<std::int32_t>(i));
-  nodes.mateNode.push_back(static_cast<std::int32_t>(nodes.size()) - 1);
-  ++nodes.returns.back();
+/// Node `first` or later, all of one pixel, on whose surface a return at `range` lies; -1 if none.
+std::int32_t surfaceAt(const RangeImage& image, const ObjectNodes& nodes, std::size_t first,
+                       float range, float pixelMerge) {
+  for (std::size_t n = first; n < nodes.size(); ++n) {
+    const float surface = image.range[static_cast<std::size_t>(nodes.point[n])];
+    if (std::abs(range - surface) < pixelMerge) return static_cast<std::int32_t>(n);
+  }
+  return -1;
+}
+
+/// Adds the returns of a pixel: it may hold several surfaces, the edge of one and what is behind.
+void gatherPixel(const LevelPoints& points, const RangeImage& image,
+                 const Segmentation& segmentation, const LinkRules& rules, float pixelMerge,
+                 int row, int column, ObjectNodes& nodes) {
+  const std::size_t first = nodes.size();
+  for (std::int32_t p = image.at(row, column); p != RangeImage::kNone;
+       p = image.next[static_cast<std::size_t>(p)]) {
+    const std::size_t i = static_cast<std::size_t>(p);
+    if (!isCandidate(points, image, segmentation, i)) continue;
+    const std::int32_t host = surfaceAt(image, nodes, first, image.range[i], pixelMerge);
+    if (host < 0) {
+      addNode(points, rules, i, column, nodes);
+      continue;
+    }
+    nodes.matePoint.push_back(p);
+    nodes.mateNode.push_back(host);
+    ++nodes.returns[static_cast<std::size_t>(host)];
+  }
 }
 
 }  // namespace
@@ -52,21 +76,7 @@ void gatherNodes(const LevelPoints& points, const RangeImage& image,
   nodes.rowBegin.push_back(0);
   for (int row = 0; row < image.rows; ++row) {
     for (int column = 0; column < image.columns; ++column) {
-      // A pixel may hold several surfaces, nearest first: the foreground's edge and what is behind.
-      bool any = false;
-      float surfaceRange = 0.0f;
-      for (std::int32_t p = image.at(row, column); p != RangeImage::kNone;
-           p = image.next[static_cast<std::size_t>(p)]) {
-        const std::size_t i = static_cast<std::size_t>(p);
-        if (!isCandidate(points, image, segmentation, i)) continue;
-        if (any && std::abs(image.range[i] - surfaceRange) < pixelMerge) {
-          addMate(i, nodes);
-        } else {
-          addNode(points, rules, i, column, nodes);
-          any = true;
-          surfaceRange = image.range[i];
-        }
-      }
+      gatherPixel(points, image, segmentation, rules, pixelMerge, row, column, nodes);
     }
     nodes.rowBegin.push_back(static_cast<std::int32_t>(nodes.size()));
   }

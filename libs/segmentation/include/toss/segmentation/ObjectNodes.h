@@ -44,8 +44,8 @@ struct ObjectNodes {
   void clear();
 };
 
-/// Fills `nodes` with the Unclustered points of the image. `pixelMerge` [m]: a return joins the
-/// node before it in its pixel if it is less than this behind it.
+/// Fills `nodes` with the Unclustered points of the image. `pixelMerge` [m]: a return joins
+/// the first node of its pixel whose range differs by less than this.
 void gatherNodes(const LevelPoints& points, const RangeImage& image,
                  const Segmentation& segmentation, const LinkRules& rules, float pixelMerge,
                  ObjectNodes& nodes);
