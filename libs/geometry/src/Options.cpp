@@ -51,24 +51,27 @@ void Options::set(const std::string& key, const std::string& value) {
 
 void Options::check() const {
   // Written out and read back: what can be read is within its bounds.
-  std::vector<std::pair<std::string, std::string>> values;
-  listOptions(*this, [&](const OptionText& option, const std::string& value, const std::string&) {
-    values.emplace_back(option.key, value);
-  });
+  const auto all = values();
   OptionReader reader(section(), [&](const std::string& key, std::string& text) {
-    const auto found = std::find_if(values.begin(), values.end(),
-                                    [&](const auto& entry) { return entry.first == key; });
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const auto& entry) { return entry.first == key; });
     text = found->second;
     return true;
   });
   const_cast<Options&>(*this).visit(reader);
 }
 
+std::vector<std::pair<std::string, std::string>> Options::values() const {
+  std::vector<std::pair<std::string, std::string>> result;
+  listOptions(*this, [&](const OptionText& option, const std::string& value, const std::string&) {
+    result.emplace_back(option.key, value);
+  });
+  return result;
+}
+
 std::vector<std::string> Options::keys() const {
   std::vector<std::string> result;
-  listOptions(*this, [&](const OptionText& option, const std::string&, const std::string&) {
-    result.emplace_back(option.key);
-  });
+  for (const auto& [key, value] : values()) result.push_back(key);
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace toss {
@@ -69,8 +70,9 @@ class Options : public mrpt::config::CLoadableOptions {
   void set(const std::string& key, const std::string& value);
   /// Throws UserError at the first value that is out of range. Modules call it when they are made.
   void check() const;
-  /// The keys of all options, in order of visit().
+  /// The keys of all options, in order of visit(), without and with their values as text.
   std::vector<std::string> keys() const;
+  std::vector<std::pair<std::string, std::string>> values() const;
 };
 
 /// The entry of `known` with the smallest edit distance to `name`; "" if `known` is empty.
