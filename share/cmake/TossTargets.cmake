@@ -22,10 +22,10 @@ function(toss_compile_options target)
 endfunction()
 
 # toss_library(<name> [PUBLIC <dependency>...] [PRIVATE <dependency>...])
-# Builds libs/<name>/src/*.cpp into toss::<name> with the headers of libs/<name>/include.
+# Builds libs/<name>/src/**.cpp into toss::<name> with the headers of libs/<name>/include.
 function(toss_library name)
   cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS src/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/*.cpp)
   add_library(toss_${name} ${sources})
   add_library(toss::${name} ALIAS toss_${name})
   set_target_properties(toss_${name} PROPERTIES EXPORT_NAME ${name})

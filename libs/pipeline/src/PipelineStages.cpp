@@ -13,7 +13,7 @@ namespace toss {
 Pipeline::Implementation::Implementation(const PipelineOptions& o, const SensorModel& sensor)
     : options(o),
       segmenter(o.projection, o.ground, o.objects, sensor),
-      tracker(o.tracking),
+      tracker(o.tracking, o.motion),
       thinning(o.visibility.cellSize),
       witness(o.visibility),
       voting(o.voting),

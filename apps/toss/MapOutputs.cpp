@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MapOutputs.h"
+
+#include <toss/rawlog/AtomicFile.h>
+#include <toss/rawlog/LabelFile.h>
+#include <toss/rawlog/MetricMapFile.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+
+namespace toss {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder for label files, with those of an earlier run gone.
+void prepareFolder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw UserError(folder.string(), "the folder can not be made (" + error.message() + ")",
+                    "give another --out");
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".label") fs::remove(entry.path());
+}
+
+fs::path preparedOutput(const MapRequest& request) {
+  prepareFolder(request.output / "labels");
+  if (request.liveLabels) prepareFolder(request.output / "live_labels");
+  if (request.instances) prepareFolder(request.output / "instances");
+  return request.output;
+}
+
+std::vector<std::uint32_t> toFileLabels(const ScanLabels& labels) {
+  std::vector<std::uint32_t> values(labels.state.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::uint32_t instance = (labels.track[i] & 0xFFFFu) << 16;
+    switch (labels.state[i]) {
+      case PointState::Invalid:
+        values[i] = label::kInvalid;
+        break;
+      case PointState::Static:
+        values[i] = instance | label::kStatic;
+        break;
+      case PointState::Moving:
+        values[i] = instance | label::kMoving;
+        break;
+    }
+  }
+  return values;
+}
+
+MapPoint mapPoint(const PosedScan& scan, std::size_t i) {
+  const PointCloud& p = scan.points;
+  const Eigen::Vector3f inMap =
+      (scan.mapFromSensor * Eigen::Vector3d(p.x[i], p.y[i], p.z[i])).cast<float>();
+  return {inMap.x(), inMap.y(), inMap.z(), p.intensity.empty() ? 0.0f : p.intensity[i]};
+}
+
+}  // namespace
+
+MapOutputs::MapOutputs(const MapRequest& request, const RenderOptions& render)
+    : folder_(preparedOutput(request)),
+      movingPoints_(folder_ / "moving_points.ply", PlyWriter::Layout::PointsWithTrack),
+      tracks_(folder_ / "tracks.csv"),
+      filtered_(folder_ / "filtered.rawlog"),
+      movingSample_(static_cast<std::size_t>(render.maxPoints)) {
+  content_.name = request.input.filename().string();
+}
+
+void MapOutputs::addLive(const ScanLabels& labels) {
+  writeLabels(labelPath(folder_ / "live_labels", labels.scan), toFileLabels(labels));
+}
+
+void MapOutputs::addInstances(std::uint64_t scan, const Segmentation& segmentation) {
+  std::vector<std::uint32_t> values(segmentation.pointClass.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = static_cast<std::uint32_t>(segmentation.instance[i]) << 16 |
+                static_cast<std::uint32_t>(segmentation.pointClass[i]);
+  writeLabels(labelPath(folder_ / "instances", scan), values);
+}
+
+void MapOutputs::addSettled(const PosedScan& scan, const ScanLabels& labels) {
+  writeLabels(labelPath(folder_ / "labels", labels.scan), toFileLabels(labels));
+  filtered_.add(scan, labels);
+  tracks_.add(labels);
+  paths_.add(labels);
+  content_.trajectory.push_back(scan.mapFromSensor.translation());
+  ++counts_.scans;
+  counts_.points += labels.state.size();
+  for (std::size_t i = 0; i < labels.state.size(); ++i) {
+    if (labels.state[i] == PointState::Invalid) ++counts_.invalid;
+    if (labels.state[i] != PointState::Moving) continue;
+    ++counts_.moving;
+    const MapPoint point = mapPoint(scan, i);
+    movingPoints_.add(point, labels.track[i]);
+    movingSample_.add(point);
+  }
+  for (const TrackSample& sample : labels.tracks)
+    counts_.tracks = std::max<std::uint64_t>(counts_.tracks, sample.track);
+}
+
+void MapOutputs::addTimes(std::uint64_t scan,
+                          const std::vector<std::pair<std::string, double>>& times) {
+  timedScans_.push_back(scan);
+  if (times_.empty())
+    for (const auto& [stage, milliseconds] : times) times_.push_back({stage, {}});
+  for (std::size_t s = 0; s < times.size(); ++s) times_.at(s).second.push_back(times[s].second);
+}
+
+void MapOutputs::writeTimings() const {
+  writeAtomically(folder_ / "timings.csv", [&](const fs::path& path) {
+    std::ofstream out(path);
+    out << "scan";
+    for (const auto& [stage, values] : times_) out << "," << stage << "_ms";
+    out << "\n";
+    for (std::size_t i = 0; i < timedScans_.size(); ++i) {
+      out << timedScans_[i];
+      for (const auto& [stage, values] : times_) out << "," << values[i];
+      out << "\n";
+    }
+  });
+}
+
+void MapOutputs::finish(const std::vector<MapPoint>& staticMap) {
+  movingPoints_.finish();
+  tracks_.finish();
+  filtered_.finish();
+  writePly(folder_ / "static_map.ply", staticMap);
+  writeMetricMap(folder_ / "static_map.metricmap", staticMap);
+  writeTimings();
+  content_.staticPoints = staticMap;
+  content_.movingPoints = movingSample_.points();
+  content_.tracks = paths_.paths();
+  counts_.movingTracks = content_.tracks.size();
+}
+
+}  // namespace toss

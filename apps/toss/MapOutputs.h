@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/pipeline/Pipeline.h>
+#include <toss/pipeline/ScanLabels.h>
+#include <toss/rawlog/FilteredRawlogWriter.h>
+#include <toss/rawlog/PlyFile.h>
+#include <toss/rawlog/TracksCsv.h>
+#include <toss/render/MapContent.h>
+#include <toss/render/PointSample.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "MapRun.h"
+
+namespace toss {
+
+/// Counts of a run, for summary.json.
+struct RunCounts {
+  std::uint64_t scans = 0, points = 0, invalid = 0, moving = 0, tracks = 0, movingTracks = 0;
+};
+
+/// The per-scan files of a run, written as labels become final.
+class MapOutputs {
+ public:
+  MapOutputs(const MapRequest& request, const RenderOptions& render);
+
+  /// Live labels of a scan.
+  void addLive(const ScanLabels& labels);
+  /// What segmentation made of a scan, for the evaluator's bounds.
+  void addInstances(std::uint64_t scan, const Segmentation& segmentation);
+  /// Final labels of a scan, with the scan.
+  void addSettled(const PosedScan& scan, const ScanLabels& labels);
+  void addTimes(std::uint64_t scan, const std::vector<std::pair<std::string, double>>& times);
+  /// Writes what is left: the map and everything that sums up the run.
+  void finish(const std::vector<MapPoint>& staticMap);
+
+  /// What pictures show; complete after finish().
+  const MapContent& content() const { return content_; }
+  const RunCounts& counts() const { return counts_; }
+  /// Milliseconds of each stage by scan, in the order of the scans.
+  const std::vector<std::pair<std::string, std::vector<double>>>& times() const { return times_; }
+
+ private:
+  void writeTimings() const;
+
+  std::filesystem::path folder_;
+  PlyWriter movingPoints_;
+  TracksCsvWriter tracks_;
+  FilteredRawlogWriter filtered_;
+  TrackPathCollector paths_;
+  PointSample movingSample_;
+  MapContent content_;
+  RunCounts counts_;
+  std::vector<std::uint64_t> timedScans_;
+  std::vector<std::pair<std::string, std::vector<double>>> times_;
+};
+
+}  // namespace toss

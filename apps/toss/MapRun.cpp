@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MapRun.h"
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_pipeline.h>
+#include <toss/geometry/OptionSections.h>
+#include <toss/rawlog/AtomicFile.h>
+#include <toss/rawlog/ScanSource.h>
+#include <toss/render/RenderUnavailable.h>
+#include <toss/render/SceneFile.h>
+#include <toss/render/Snapshots.h>
+
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+#include "MapOutputs.h"
+#include "MapSummary.h"
+#include "Progress.h"
+#include "ScanRange.h"
+#include "SensorChoice.h"
+
+namespace toss {
+namespace {
+
+/// A scan on its way through the program.
+struct Passage {
+  PosedScan scan;
+  double progress = 0.0;
+  ScanLabels live;
+  Segmentation segmentation;
+  std::vector<std::pair<std::string, double>> times;
+  std::vector<ScanLabels> settled;
+};
+
+/// The stages of the program around the pipeline: reading, method and writing, each in order.
+class MapRunner {
+ public:
+  MapRunner(const MapRequest& request, const RunConfiguration& configuration,
+            const SensorModel& sensor, bool quiet)
+      : request_(request),
+        scans_(request.input, configuration.input, request.from, request.to),
+        settledScans_(request.input, configuration.input, request.from, request.to),
+        pipeline_(configuration.pipeline, sensor),
+        outputs_(request, configuration.render),
+        progress_("mapping", "scans", quiet) {}
+
+  void run() {
+    constexpr std::size_t kScansInFlight = 6;
+    const auto inOrder = tbb::filter_mode::serial_in_order;
+    using Item = std::shared_ptr<Passage>;
+    tbb::parallel_pipeline(
+        kScansInFlight,
+        tbb::make_filter<void, Item>(inOrder, [&](tbb::flow_control& flow) { return read(flow); }) &
+            tbb::make_filter<Item, Item>(inOrder, [&](Item item) { return process(item); }) &
+            tbb::make_filter<Item, void>(inOrder, [&](const Item& item) { write(*item); }));
+    pipeline_.finish();
+    for (const ScanLabels& labels : pipeline_.takeSettled()) writeSettled(labels);
+    outputs_.finish(pipeline_.staticMap());
+  }
+
+  const MapOutputs& outputs() const { return outputs_; }
+  const InputReport& inputReport() const { return scans_.report(); }
+
+ private:
+  std::shared_ptr<Passage> read(tbb::flow_control& flow) {
+    auto item = std::make_shared<Passage>();
+    if (!scans_.next(item->scan)) flow.stop();
+    item->progress = scans_.progress();
+    return item;
+  }
+
+  std::shared_ptr<Passage> process(const std::shared_ptr<Passage>& item) {
+    const ScanLabels& live = pipeline_.process(item->scan);
+    if (request_.liveLabels) item->live = live;
+    if (request_.instances) item->segmentation = pipeline_.segmentedScan().segmentation;
+    item->times = pipeline_.stageTimes();
+    item->settled = pipeline_.takeSettled();
+    return item;
+  }
+
+  void write(const Passage& item) {
+    if (request_.liveLabels) outputs_.addLive(item.live);
+    if (request_.instances) outputs_.addInstances(item.scan.index, item.segmentation);
+    outputs_.addTimes(item.scan.index, item.times);
+    for (const ScanLabels& labels : item.settled) writeSettled(labels);
+    progress_.update(++written_, item.progress);
+  }
+
+  /// The scan is read once more: keeping all scans until their labels are final would need memory
+  /// that grows with the voting horizon.
+  void writeSettled(const ScanLabels& labels) {
+    if (!settledScans_.next(settledScan_) || settledScan_.index != labels.scan)
+      throw UserError(request_.input.string(), "the input changed while it was read",
+                      "map it again when nothing writes to it");
+    outputs_.addSettled(settledScan_, labels);
+  }
+
+  const MapRequest& request_;
+  ScanRange scans_, settledScans_;
+  Pipeline pipeline_;
+  MapOutputs outputs_;
+  Progress progress_;
+  PosedScan settledScan_;
+  std::uint64_t written_ = 0;
+};
+
+void draw(const MapRequest& request, const MapContent& content, const RenderOptions& options) {
+  writeScene(content, request.output / "scene.3Dscene", options);
+  if (!request.snapshots) return;
+  try {
+    renderSnapshots(content, request.output / "snapshots", options);
+  } catch (const RenderUnavailable& error) {
+    std::cerr << "toss: no snapshots: " << error.what() << "\n";
+  }
+}
+
+}  // namespace
+
+void runMap(const MapRequest& request, const Verbosity& verbosity) {
+  const int threads = request.threads > 0 ? request.threads : tbb::info::default_concurrency();
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(threads));
+  RunConfiguration configuration = configure(request.configuration, "");
+  const SensorChoice sensor = chooseSensor(request, configuration);
+  configuration = configure(request.configuration, sensor.preset);
+  configuration.sensor.model = sensor.name;
+  MapRunner runner(request, configuration, sensor.model, verbosity.quiet);
+  runner.run();
+  draw(request, runner.outputs().content(), configuration.render);
+  writeAtomically(request.output / "config.ini", [&](const std::filesystem::path& path) {
+    std::ofstream(path) << sectionsToText(configuration.sections());
+  });
+  writeSummary(request, configuration, runner.inputReport(), runner.outputs());
+  if (!verbosity.quiet) printSummary(request, runner.inputReport(), runner.outputs());
+}
+
+}  // namespace toss

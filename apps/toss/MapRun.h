@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+
+#include "Command.h"
+#include "RunConfiguration.h"
+
+namespace toss {
+
+/// What `toss map` is asked to do.
+struct MapRequest {
+  std::filesystem::path input, output;
+  ConfigurationRequest configuration;
+  /// First and last scan that are used, by their number in the input, both included.
+  std::uint64_t from = 0, to = std::numeric_limits<std::uint64_t>::max();
+  /// Threads of the whole program; 0 = all cores.
+  int threads = 0;
+  bool snapshots = true, liveLabels = false, instances = false;
+};
+
+/// Maps the input and leaves all outputs in request.output. Throws UserError.
+void runMap(const MapRequest& request, const Verbosity& verbosity);
+
+}  // namespace toss

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MapSummary.h"
+
+#include <toss/rawlog/AtomicFile.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+namespace toss {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::uintmax_t sizeOf(const fs::path& path) {
+  if (!fs::is_directory(path)) return fs::file_size(path);
+  std::uintmax_t sum = 0;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path))
+    if (entry.is_regular_file()) sum += entry.file_size();
+  return sum;
+}
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0.0;
+  const auto rank = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank),
+                   values.end());
+  return values[rank];
+}
+
+/// "section": {"key": value as text}, read back from the configuration's own text.
+Json optionsJson(RunConfiguration& configuration) {
+  Json json;
+  for (Options* section : configuration.sections()) {
+    Json& keys = json[section->section()];
+    std::ostringstream text;
+    for (const auto& [key, value] : section->values()) keys[key] = value;
+  }
+  return json;
+}
+
+}  // namespace
+
+void writeSummary(const MapRequest& request, RunConfiguration& configuration,
+                  const InputReport& input, const MapOutputs& outputs) {
+  const RunCounts& counts = outputs.counts();
+  Json json;
+  json["program"] = "toss";
+  json["version"] = TOSS_VERSION;
+  json["input"] = {{"name", request.input.filename().string()}, {"bytes", sizeOf(request.input)}};
+  json["scans"] = {{"mapped", counts.scans},
+                   {"skipped_for_pose", input.skippedForPose},
+                   {"empty", input.empty}};
+  json["points"] = {{"read", counts.points},
+                    {"invalid", counts.invalid},
+                    {"moving", counts.moving},
+                    {"static_map", outputs.content().staticPoints.size()}};
+  json["tracks"] = {{"all", counts.tracks}, {"moving", counts.movingTracks}};
+  json["warnings"] = input.warnings;
+  json["options"] = optionsJson(configuration);
+  writeAtomically(request.output / "summary.json",
+                  [&](const fs::path& path) { std::ofstream(path) << json.dump(2) << "\n"; });
+}
+
+void printSummary(const MapRequest& request, const InputReport& input, const MapOutputs& outputs) {
+  const RunCounts& counts = outputs.counts();
+  std::cout << counts.scans << " scans mapped";
+  if (input.skippedForPose > 0) std::cout << ", " << input.skippedForPose << " skipped (no pose)";
+  std::cout << ": " << outputs.content().staticPoints.size() << " map points, " << counts.moving
+            << " moving returns removed, " << counts.movingTracks << " of " << counts.tracks
+            << " tracks moved\n";
+  double sum = 0.0;
+  std::cout << std::fixed << std::setprecision(1) << "median ms per scan:";
+  for (const auto& [stage, values] : outputs.times()) {
+    const double median = quantile(values, 0.5);
+    sum += median;
+    std::cout << " " << stage << " " << median;
+  }
+  std::cout << ", together " << sum << "\n";
+  for (const std::string& warning : input.warnings) std::cout << "note: " << warning << "\n";
+  std::cout << "results in " << request.output.string() << "\n";
+}
+
+}  // namespace toss

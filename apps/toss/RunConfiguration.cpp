@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RunConfiguration.h"
+
+#include <toss/geometry/OptionSections.h>
+
+#include "SensorPresets.h"
+
+namespace toss {
+
+void SensorOptions::visit(OptionVisitor& v) {
+  v.string({"model", "", "Model of the sensor, such as HDL-64E, or auto to find out",
+            "config/sensors"},
+           model);
+}
+
+std::vector<Options*> RunConfiguration::sections() {
+  std::vector<Options*> all = {&input, &sensor};
+  for (Options* section : pipeline.sections()) all.push_back(section);
+  all.push_back(&render);
+  return all;
+}
+
+RunConfiguration configure(const ConfigurationRequest& request, const std::string& model) {
+  RunConfiguration configuration;
+  const std::vector<Options*> sections = configuration.sections();
+  if (const auto preset = sensorPresets().find(model); preset != sensorPresets().end())
+    loadSectionsFromText(preset->second, "config/sensors/" + model + ".ini", sections);
+  if (!request.file.empty()) loadSections(request.file, sections);
+  for (const std::string& setting : request.settings) setOption(setting, sections);
+  return configuration;
+}
+
+}  // namespace toss

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/pipeline/PipelineOptions.h>
+#include <toss/rawlog/InputOptions.h>
+#include <toss/render/RenderOptions.h>
+
+#include <string>
+#include <vector>
+
+namespace toss {
+
+/// Which sensor the scans come from, section [sensor].
+struct SensorOptions : Options {
+  /// Name of a known model, or "auto": found out from the input.
+  std::string model = "auto";
+
+  const char* section() const override { return "sensor"; }
+  void visit(OptionVisitor& visitor) override;
+};
+
+/// Everything that a run can be told.
+struct RunConfiguration {
+  InputOptions input;
+  SensorOptions sensor;
+  PipelineOptions pipeline;
+  RenderOptions render;
+
+  /// One entry per section, in the order in which they are documented.
+  std::vector<Options*> sections();
+};
+
+/// What the user asks for on the command line.
+struct ConfigurationRequest {
+  /// An .ini, or "".
+  std::string file;
+  /// "section.key=value" each.
+  std::vector<std::string> settings;
+};
+
+/// Defaults, then the preset of the sensor `model` ("" = none), then the request's file, then its
+/// settings. Throws UserError where the request can't be understood.
+RunConfiguration configure(const ConfigurationRequest& request, const std::string& model);
+
+}  // namespace toss

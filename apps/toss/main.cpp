@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <toss/geometry/Error.h>
+
+#include <iostream>
+
+#include "Command.h"
+
+namespace {
+
+constexpr int kWrongInput = 1, kInternalFault = 2;
+
+int run(int argc, char** argv) {
+  CLI::App program("TOSS: clean static maps from LiDAR logs full of people and vehicles", "toss");
+  program.set_version_flag("--version", "toss " TOSS_VERSION);
+  program.require_subcommand(1);
+  program.fallthrough();
+  toss::Verbosity verbosity;
+  auto* quiet = program.add_flag("-q,--quiet", verbosity.quiet, "Say nothing but errors");
+  program.add_flag("-v,--verbose", verbosity.verbose, "Say more")->excludes(quiet);
+  toss::addMapCommand(program, verbosity);
+  toss::addImportCommand(program, verbosity);
+  toss::addSimulateCommand(program, verbosity);
+  toss::addEvalCommand(program, verbosity);
+  toss::addSnapshotCommand(program, verbosity);
+  toss::addInfoCommand(program, verbosity);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return program.exit(error);
+    std::cerr << "toss: " << error.what() << "; see toss --help\n";
+    return kWrongInput;
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const toss::UserError& error) {
+    std::cerr << "toss: " << error.what() << "\n";
+    return kWrongInput;
+  } catch (const std::exception& error) {
+    std::cerr << "toss: internal fault: " << error.what() << "\n";
+    return kInternalFault;
+  }
+}
