@@ -33,8 +33,8 @@ void Judge::findLoneMovers(const EvidenceCells& cells, ScanRecord& record) const
   for (std::size_t i = 0; i < cells.cellOfPoint.size(); ++i) {
     if (cells.cellOfPoint[i] < 0 || record.pointClass[i] != PointClass::Unclustered) continue;
     const auto cell = static_cast<std::size_t>(cells.cellOfPoint[i]);
-    record.loneMover[i] =
-        cells.hitViews[cell] == 0 && cells.freeViews[cell] >= options_.loneFreeViews;
+    const int freeViews = cells.past.freeViews[cell] + cells.later.freeViews[cell];
+    record.loneMover[i] = !isHit(cells, cell) && freeViews >= options_.loneFreeViews;
   }
 }
 

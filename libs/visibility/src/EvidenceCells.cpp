@@ -51,8 +51,8 @@ void CellThinning::thin(const LevelPoints& points, const Segmentation& segmentat
     }
     cells.cellOfPoint[i] = cellOfSlot_[slot];
   }
-  cells.freeViews.assign(cells.size(), 0);
-  cells.hitViews.assign(cells.size(), 0);
+  cells.past.reset(cells.size());
+  cells.later.reset(cells.size());
 }
 
 std::vector<FreeSpaceSum> sumByInstance(const EvidenceCells& cells, std::int32_t instanceCount,
@@ -62,7 +62,7 @@ std::vector<FreeSpaceSum> sumByInstance(const EvidenceCells& cells, std::int32_t
     FreeSpaceSum& sum = sums[static_cast<std::size_t>(cells.instance[c])];
     ++sum.cells;
     if (isFree(cells, c, minFreeViews)) ++sum.free;
-    if (cells.hitViews[c] > 0) ++sum.hit;
+    if (isHit(cells, c)) ++sum.hit;
   }
   return sums;
 }

@@ -12,9 +12,10 @@ double tolerance(double offset) {
   return 0.2 * offset + 0.02;
 }
 
-void testify(const RangeView& view, const Eigen::Vector3d& position, EvidenceCells& cells) {
+void testify(const RangeView& view, const Eigen::Vector3d& position, const EvidenceCells& cells,
+             Testimony& testimony) {
   view.testify(cells.x.data(), cells.y.data(), cells.z.data(), cells.size(), position,
-               cells.freeViews.data(), cells.hitViews.data());
+               testimony.freeViews.data(), testimony.hitViews.data());
 }
 
 }  // namespace
@@ -25,8 +26,8 @@ FreeSpaceWitness::FreeSpaceWitness(const VisibilityOptions& options) : options_(
 }
 
 void FreeSpaceWitness::exchange(Scan& earlier, Scan& later) const {
-  testify(earlier.view, later.position, later.cells);
-  testify(later.view, earlier.position, earlier.cells);
+  testify(earlier.view, later.position, later.cells, later.cells.past);
+  testify(later.view, earlier.position, earlier.cells, earlier.cells.later);
 }
 
 void FreeSpaceWitness::add(double time, const RangeImage& image,

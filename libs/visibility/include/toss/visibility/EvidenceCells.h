@@ -9,6 +9,21 @@
 
 namespace toss {
 
+/// What a number of views say about cells.
+struct Testimony {
+  /// Views that saw through each cell, and views that measured it, shape [cells].
+  std::vector<std::uint8_t> freeViews, hitViews;
+
+  void reset(std::size_t cells) {
+    freeViews.assign(cells, 0);
+    hitViews.assign(cells, 0);
+  }
+  /// Enough views saw through the cell, and more than measured it.
+  bool isFree(std::size_t cell, int minFreeViews) const {
+    return freeViews[cell] >= minFreeViews && freeViews[cell] > hitViews[cell];
+  }
+};
+
 /// The returns of one scan that stand above ground, thinned to one per cell and instance, with what
 /// the views of other scans say about each.
 struct EvidenceCells {
@@ -16,8 +31,8 @@ struct EvidenceCells {
   std::vector<float> x, y, z;
   /// Instance of each cell, 0 = unclustered, shape [cells].
   std::vector<std::int32_t> instance;
-  /// Views that saw through the cell, and views that measured it, shape [cells].
-  std::vector<std::uint8_t> freeViews, hitViews;
+  /// Testimony of the views taken before and after the scan.
+  Testimony past, later;
   /// Cell of each point of the scan or -1, shape [n].
   std::vector<std::int32_t> cellOfPoint;
 
@@ -53,9 +68,15 @@ struct FreeSpaceSum {
   double hitShare() const { return cells > 0 ? static_cast<double>(hit) / cells : 0.0; }
 };
 
-/// Whether a cell counts as seen through: enough free views, and more of them than hits.
+/// Whether a cell counts as seen through: before the scan (what is there has arrived), or after it
+/// (it has left). Asked together, an object that stands half of the time would be free in half of
+/// the views and hit in the others, as foliage is all the time.
 inline bool isFree(const EvidenceCells& cells, std::size_t cell, int minFreeViews) {
-  return cells.freeViews[cell] >= minFreeViews && cells.freeViews[cell] > cells.hitViews[cell];
+  return cells.past.isFree(cell, minFreeViews) || cells.later.isFree(cell, minFreeViews);
+}
+
+inline bool isHit(const EvidenceCells& cells, std::size_t cell) {
+  return cells.past.hitViews[cell] > 0 || cells.later.hitViews[cell] > 0;
 }
 
 /// Sums of each instance, shape [instanceCount + 1]; entry 0 holds the unclustered cells.

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <toss/visibility/FreeSpaceWitness.h>
+
+#include <functional>
+
+#include "AnalyticScene.h"
+
+namespace toss {
+namespace {
+
+using Eigen::AlignedBox3d;
+using Eigen::Vector3d;
+
+const AlignedBox3d kWall(Vector3d(20, -15, -5), Vector3d(21, 15, 8));
+
+/// Ten scans a second for `seconds` of what `scene(t)` shows; instance 1 is what `isObject` says.
+std::vector<EvidenceCells> run(const std::function<AnalyticScene(double)>& scene,
+                               const std::function<bool(const Vector3d&)>& isObject, double seconds,
+                               const std::function<Vector3d(double)>& position,
+                               std::vector<FreeSpaceSum>* past = nullptr) {
+  const VisibilityOptions options;
+  FreeSpaceWitness witness(options);
+  CellThinning thinning(options.cellSize);
+  std::vector<EvidenceCells> complete;
+  const auto take = [&](bool all) {
+    for (EvidenceCells& cells : witness.takeComplete(all)) complete.push_back(std::move(cells));
+  };
+  for (int i = 0; i < static_cast<int>(seconds * 10); ++i) {
+    const double t = 0.1 * i;
+    const Vector3d from = position(t);
+    LevelPoints points;
+    const RangeImage image = scene(t).look(from, points);
+    Segmentation segmentation;
+    segmentation.pointClass.assign(points.x.size(), PointClass::Instance);
+    for (std::size_t p = 0; p < points.x.size(); ++p)
+      segmentation.instance.push_back(
+          isObject(from + Vector3d(points.x[p], points.y[p], points.z[p])) ? 1 : 2);
+    EvidenceCells cells;
+    thinning.thin(points, segmentation, cells);
+    witness.add(t, image, Eigen::Isometry3d(Eigen::Translation3d(from)), std::move(cells));
+    if (past != nullptr)
+      past->push_back(sumByInstance(witness.latest(), 2, options.minFreeViews)[1]);
+    take(false);
+  }
+  take(true);
+  return complete;
+}
+
+Vector3d standing(double) {
+  return Vector3d::Zero();
+}
+Vector3d driving(double t) {
+  return {0.0, 2.0 * t - 4.0, 0.0};
+}
+
+FreeSpaceSum objectSum(const EvidenceCells& cells) {
+  return sumByInstance(cells, 2, VisibilityOptions().minFreeViews)[1];
+}
+FreeSpaceSum wallSum(const EvidenceCells& cells) {
+  return sumByInstance(cells, 2, VisibilityOptions().minFreeViews)[2];
+}
+
+bool beforeWall(const Vector3d& p) {
+  return p.x() < 19.0;
+}
+
+AnalyticScene boxBetween(double t, double from, double to) {
+  AnalyticScene scene;
+  scene.add(kWall);
+  if (t >= from && t < to) scene.add(AlignedBox3d(Vector3d(10, -1, -1.5), Vector3d(12, 1, 1)));
+  return scene;
+}
+
+TEST(FreeSpace, ABoxThatArrivesIsFreeByPastViews) {
+  std::vector<FreeSpaceSum> past;
+  const auto cells =
+      run([](double t) { return boxBetween(t, 4.0, 99.0); }, beforeWall, 6.0, standing, &past);
+  ASSERT_EQ(60u, cells.size());
+  const FreeSpaceSum justArrived = past[41];
+  ASSERT_GT(justArrived.cells, 20);
+  EXPECT_GT(justArrived.freeShare(), 0.8);
+  EXPECT_LT(wallSum(cells[41]).freeShare(), 0.01);
+}
+
+TEST(FreeSpace, ABoxThatLeavesIsFreeByLaterViewsOnly) {
+  std::vector<FreeSpaceSum> past;
+  const auto cells =
+      run([](double t) { return boxBetween(t, -1.0, 4.0); }, beforeWall, 9.0, standing, &past);
+  EXPECT_EQ(0, past[38].free);
+  EXPECT_GT(objectSum(cells[38]).freeShare(), 0.8);
+}
+
+TEST(FreeSpace, ABoxThatStandsIsNeverFree) {
+  for (const auto& position : {std::function(standing), std::function(driving)}) {
+    const auto cells =
+        run([](double t) { return boxBetween(t, -1.0, 99.0); }, beforeWall, 5.0, position);
+    for (const EvidenceCells& scan : cells) {
+      EXPECT_LT(objectSum(scan).freeShare(), 0.02);
+      EXPECT_GT(objectSum(scan).hitShare(), 0.5);
+    }
+  }
+}
+
+TEST(FreeSpace, APoleBeforeAFarWallIsNotSeenThroughFromAMovingSensor) {
+  const auto scene = [](double) {
+    AnalyticScene s;
+    s.add(kWall);
+    s.add(AlignedBox3d(Vector3d(9, -0.1, -2), Vector3d(9.2, 0.1, 3)));
+    return s;
+  };
+  for (const EvidenceCells& scan : run(scene, beforeWall, 5.0, driving))
+    EXPECT_LT(objectSum(scan).freeShare(), 0.05);
+}
+
+TEST(FreeSpace, AFenceIsNotSeenThroughAlthoughMostBeamsPassIt) {
+  const auto scene = [](double) {
+    AnalyticScene s;
+    s.add(kWall);
+    // Slats of 4 cm every 12 cm: two beams of three pass between them.
+    for (double y = -4.0; y < 4.0; y += 0.12)
+      s.add(AlignedBox3d(Vector3d(8, y, -1.5), Vector3d(8.03, y + 0.04, 0.5)));
+    return s;
+  };
+  for (const EvidenceCells& scan : run(scene, beforeWall, 5.0, driving))
+    EXPECT_LT(objectSum(scan).freeShare(), 0.05);
+}
+
+TEST(FreeSpace, FoliageIsNotSeenThroughAsAWhole) {
+  const auto scene = [](double) {
+    AnalyticScene s;
+    s.add(kWall);
+    // A lattice of leaves that fills an eighth of the volume.
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j)
+        for (int k = 0; k < 6; ++k) {
+          const Vector3d leaf(9 + 0.2 * i, -1 + 0.2 * j + 0.07 * (k % 3), -1 + 0.2 * k);
+          s.add(AlignedBox3d(leaf, leaf + Vector3d::Constant(0.1)));
+        }
+    return s;
+  };
+  for (const EvidenceCells& scan : run(scene, beforeWall, 3.0, driving))
+    EXPECT_LT(objectSum(scan).freeShare(), 0.2);
+}
+
+TEST(FreeSpace, FarFromTheOriginNothingChanges) {
+  const Vector3d far(500000.0, -4000000.0, 300.0);
+  const VisibilityOptions options;
+  RangeImage image;
+  LevelPoints points;
+  image = boxBetween(0, -1, 9).look(Vector3d::Zero(), points);
+  std::vector<std::uint8_t> free(points.x.size(), 0), hits(points.x.size(), 0);
+  const RangeView view(image, Eigen::Isometry3d(Eigen::Translation3d(far)), options);
+  view.testify(points.x.data(), points.y.data(), points.z.data(), points.x.size(), far, free.data(),
+               hits.data());
+  for (std::size_t i = 0; i < hits.size(); ++i) EXPECT_EQ(1, hits[i]);
+}
+
+}  // namespace
+}  // namespace toss
