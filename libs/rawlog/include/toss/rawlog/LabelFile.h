@@ -32,8 +32,8 @@ std::filesystem::path labelPath(const std::filesystem::path& folder, std::uint64
 /// labels than `expectedCount`.
 std::vector<std::uint32_t> readLabels(const std::filesystem::path& file, std::size_t expectedCount);
 
-/// Written under a temporary name and renamed when complete; the folder must exist. Throws UserError
-/// if it can't be written.
+/// Written under a temporary name and renamed when complete; the folder must exist. Throws
+/// UserError if it can't be written.
 void writeLabels(const std::filesystem::path& file, const std::vector<std::uint32_t>& labels);
 
 }  // namespace toss

@@ -16,19 +16,20 @@ namespace toss {
 
 /// Writes a rawlog in observation format with stock MRPT classes only. The file, and the folder
 /// <stem>_labels beside it, appear under their names only when all is written: call commit().
-/// A rawlog and labels of the same name are replaced, so that no old labels stay beside new scans.
+/// Files of the same name are replaced.
 class RawlogWriter {
  public:
-  /// `gzipLevel`: 0 = plain file (the default: gz saves a quarter of the size and takes a hundred
-  /// times as long), 1 to 9 = gz. Throws UserError if the file can't be made.
-  explicit RawlogWriter(const std::filesystem::path& file, int gzipLevel = 0);
+  /// `gz`: whether to compress. Off by default: it saves a quarter of the size and takes a hundred
+  /// times as long. Throws UserError if the file can't be made.
+  explicit RawlogWriter(const std::filesystem::path& file, bool gz = false);
   ~RawlogWriter();
 
   /// Writes CObservationRobotPose (map <- robot) and CObservationPointCloud (CPointsMapXYZI, sensor
   /// frame, all points in their order and with their bits; intensity 0 where there is none), both
   /// with the scan's time stamp rounded to MRPT's 100 ns. Reading gives the same pose bit for bit
   /// where robotFromSensor is the identity. `index`, `ring`, `time` and `sensorModel` are not kept.
-  /// Throws UserError if writing fails.
+  /// Throws UserError if writing fails, or if the first scan comes without labels while a folder
+  /// <stem>_labels of another log is there.
   void write(const PosedScan& scan);
   /// The same, and the scan's labels to <stem>_labels/%06d.label, numbered by the order of writing.
   /// `labels`: shape [points].

@@ -17,6 +17,8 @@ struct InputReport {
   /// Scans delivered; scans skipped because no pose lies near enough in time; scans of 0 points
   /// (delivered and counted here).
   std::uint64_t scans = 0, skippedForPose = 0, empty = 0;
+  /// Scans skipped because they are not later than the one before; scans of other sensors.
+  std::uint64_t skippedForTime = 0, otherSensors = 0;
   /// Returns delivered in all, and of them not finite.
   std::uint64_t points = 0, notFinite = 0;
   /// Plain sentences for the user, each once: what is odd about the input and what to do.
@@ -47,5 +49,8 @@ std::unique_ptr<ScanSource> openScans(const std::filesystem::path& input,
 /// Where the ground-truth labels of an input lie: the folder's labels/ or <stem>_labels/ beside the
 /// rawlog; empty where there are none.
 std::filesystem::path labelsFolderOf(const std::filesystem::path& input);
+
+/// <stem>_labels beside a rawlog, whether it exists or not; "a.rawlog" and "a.rawlog.gz" share it.
+std::filesystem::path labelsFolderBeside(const std::filesystem::path& rawlog);
 
 }  // namespace toss

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <toss/rawlog/InputOptions.h>
+
+namespace toss {
+
+void InputOptions::visit(OptionVisitor& visitor) {
+  const char* own = "TOSS";
+  visitor.string({"sensor_label", "",
+                  "Label of the sensor whose scans are read; empty takes the "
+                  "first one met.",
+                  own},
+                 sensorLabel);
+  visitor.string({"pose_label", "",
+                  "Label of the pose observations that are used; empty takes the "
+                  "first one met.",
+                  own},
+                 poseLabel);
+  visitor.choice({"pose_source", "",
+                  "Where poses come from: CObservationRobotPose, or odometry "
+                  "(CObservationOdometry or action increments), which drifts.",
+                  own},
+                 poseSource, {"observations", "odometry"});
+  visitor.real({"max_pose_gap", "s",
+                "A scan between two poses is used only if both are at most "
+                "this far away in time; larger values interpolate over longer gaps.",
+                own},
+               maxPoseGap, 0.0, 60.0);
+  visitor.real({"time_offset", "s",
+                "Added to the time stamp of a scan before its pose is looked "
+                "up, for sensors whose clock differs from that of the poses.",
+                own},
+               timeOffset, -60.0, 60.0);
+  visitor.integer({"look_ahead", "scans",
+                   "Scans that may wait for a pose which comes later in the "
+                   "log; larger values take more memory.",
+                   own},
+                  lookAhead, 1, 100000);
+  visitor.real({"scan_period", "s", "Time between scans of a KITTI folder without times.txt.",
+                "KITTI: 10 Hz"},
+               scanPeriod, 1e-4, 3600.0);
+}
+
+}  // namespace toss

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "KittiFolderSource.h"
+
+#include <toss/geometry/Error.h>
+
+#include "KittiPoints.h"
+#include "ScanBookkeeping.h"
+#include "SensorLabels.h"
+
+namespace toss {
+
+KittiFolderSource::KittiFolderSource(const std::filesystem::path& folder,
+                                     const InputOptions& options)
+    : folder_(readKittiFolder(folder, options)) {
+  if (!options.sensorLabel.empty() && options.sensorLabel != kLidarLabel)
+    throw UserError("input.sensor_label", "a KITTI folder has one sensor, labelled LIDAR",
+                    "leave the option away");
+  report_.warnings = folder_.warnings;
+}
+
+bool KittiFolderSource::next(PosedScan& scan) {
+  while (next_ < folder_.scans.size() && !folder_.hasPose(folder_.scans[next_])) {
+    ++report_.skippedForPose;
+    ++next_;
+  }
+  if (next_ == folder_.scans.size()) return false;
+
+  const KittiScan& from = folder_.scans[next_++];
+  readKittiPoints(from.file, scan.points);
+  scan.index = from.number;
+  scan.time = folder_.times[from.number];
+  scan.mapFromSensor = folder_.poses[from.number];
+  scan.robotFromSensor.setIdentity();
+  scan.sensorLabel = kLidarLabel;
+  scan.sensorModel.clear();
+  scan.sensorModel = sensor_.modelOf(scan);
+  countScan(scan.points, report_);
+  return true;
+}
+
+double KittiFolderSource::progress() const {
+  return static_cast<double>(next_) / static_cast<double>(folder_.scans.size());
+}
+
+}  // namespace toss

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ObservationPoints.h"
+
+#include <mrpt/obs/CObservationPointCloud.h>
+#include <mrpt/obs/CObservationVelodyneScan.h>
+#include <toss/geometry/Error.h>
+
+#include <stdexcept>
+
+namespace toss {
+
+bool holdsPoints(const mrpt::obs::CObservation& observation) {
+  return IS_CLASS(observation, mrpt::obs::CObservationPointCloud) ||
+         IS_CLASS(observation, mrpt::obs::CObservationVelodyneScan);
+}
+
+void readPoints(mrpt::obs::CObservation& observation, const std::filesystem::path& rawlog,
+                const std::string& place, PosedScan& scan) {
+  if (!holdsPoints(observation))
+    throw std::logic_error("readPoints: an observation that holds no points");
+  scan.sensorModel.clear();
+  if (IS_CLASS(observation, mrpt::obs::CObservationPointCloud)) {
+    readCloudPoints(observation, rawlog, place, scan);
+    return;
+  }
+  try {
+    readVelodynePoints(observation, scan);
+  } catch (const std::exception&) {
+    throw UserError(place, "its Velodyne packets can't be decoded",
+                    "record the log again with the calibration of the sensor in it");
+  }
+}
+
+}  // namespace toss

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <mrpt/obs/CObservation.h>
+#include <toss/geometry/PosedScan.h>
+
+#include <filesystem>
+#include <string>
+
+namespace toss {
+
+/// Whether the observation's points can be read: CObservationPointCloud, CObservationVelodyneScan.
+bool holdsPoints(const mrpt::obs::CObservation& observation);
+
+/// Reads the points of an observation into `scan.points`, in the observation's order; for Velodyne
+/// packets that of generatePointCloud() with its default parameters. `scan.sensorModel` is set
+/// where the observation tells the model, else "". `rawlog`: where external files are looked for
+/// (<stem>_Images beside it). `place`: names the observation in errors. Throws UserError if an
+/// external file is missing or damaged, std::logic_error if !holdsPoints(observation).
+void readPoints(mrpt::obs::CObservation& observation, const std::filesystem::path& rawlog,
+                const std::string& place, PosedScan& scan);
+
+/// The same for one kind of observation each.
+void readVelodynePoints(mrpt::obs::CObservation& observation, PosedScan& scan);
+void readCloudPoints(mrpt::obs::CObservation& observation, const std::filesystem::path& rawlog,
+                     const std::string& place, PosedScan& scan);
+
+}  // namespace toss

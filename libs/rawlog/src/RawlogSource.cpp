@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RawlogSource.h"
+
+#include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CObservationRotatingScan.h>
+#include <mrpt/obs/CSensoryFrame.h>
+#include <toss/geometry/Error.h>
+#include <toss/rawlog/MrptConversion.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "ObservationPoints.h"
+
+namespace toss {
+namespace {
+
+using mrpt::obs::CObservation;
+using Ticks = PoseBuffer::Ticks;
+
+/// Kinds that hold ranges, but not as points: named to the user where nothing else is found.
+bool isOtherRangeScan(const CObservation& observation) {
+  return IS_CLASS(observation, mrpt::obs::CObservation2DRangeScan) ||
+         IS_CLASS(observation, mrpt::obs::CObservation3DRangeScan) ||
+         IS_CLASS(observation, mrpt::obs::CObservationRotatingScan);
+}
+
+std::string toText(Ticks time) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f s",
+                fromMrptTime(mrpt::Clock::time_point(mrpt::Clock::duration(time))));
+  return text;
+}
+
+std::string listOf(const std::map<std::string, std::uint64_t>& counts) {
+  std::string text;
+  for (const auto& [name, count] : counts)
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " of '" + name + "'";
+  return text;
+}
+
+}  // namespace
+
+RawlogSource::RawlogSource(const std::filesystem::path& file, const InputOptions& options)
+    : options_(options), reader_(file), poses_(options) {
+  if (!options.sensorLabel.empty()) sensorLabel_ = options.sensorLabel;
+}
+
+bool RawlogSource::next(PosedScan& scan) {
+  for (;;) {
+    if (waiting_.empty()) {
+      if (readMore()) continue;
+      failAtEnd();
+      return false;
+    }
+    std::optional<Eigen::Isometry3d> pose;
+    const Decision decision = decide(waiting_.front(), pose);
+    if (decision == Decision::Wait) {
+      readMore();
+      continue;
+    }
+    const Waiting front = std::move(waiting_.front());
+    waiting_.pop_front();
+    poses_.forgetBefore(front.time);
+    if (decision == Decision::Deliver) {
+      deliver(front, *pose, scan);
+      return true;
+    }
+    poses_.scanSkipped(front.time);
+    ++report_.skippedForPose;
+  }
+}
+
+RawlogSource::Decision RawlogSource::decide(const Waiting& front,
+                                            std::optional<Eigen::Isometry3d>& pose) const {
+  pose = poses_.at(front.time);
+  if (pose) return Decision::Deliver;
+  const bool full = waiting_.size() > static_cast<std::size_t>(options_.lookAhead);
+  return !ended_ && !full && poses_.mayStillCome(front.time) ? Decision::Wait : Decision::Skip;
+}
+
+mrpt::serialization::CSerializable::Ptr RawlogSource::readObject() {
+  try {
+    return reader_.next();
+  } catch (const UserError& error) {
+    // The scans that lie before the damage come first.
+    damage_ = error.what();
+    return nullptr;
+  }
+}
+
+bool RawlogSource::readMore() {
+  const auto object = ended_ ? nullptr : readObject();
+  ended_ = !object;
+  if (const auto observation = std::dynamic_pointer_cast<CObservation>(object))
+    take(observation);
+  else if (const auto frame = std::dynamic_pointer_cast<mrpt::obs::CSensoryFrame>(object))
+    for (const auto& entry : *frame) take(entry);
+  else if (const auto actions = std::dynamic_pointer_cast<mrpt::obs::CActionCollection>(object))
+    poses_.take(*actions);
+  return !ended_;
+}
+
+void RawlogSource::take(const CObservation::Ptr& observation) {
+  if (!observation || poses_.take(*observation)) return;
+  if (holdsPoints(*observation))
+    takeScan(observation);
+  else if (isOtherRangeScan(*observation))
+    ++otherRangeScans_[observation->GetRuntimeClass()->className];
+}
+
+void RawlogSource::takeScan(const CObservation::Ptr& observation) {
+  if (!sensorLabel_) sensorLabel_ = observation->sensorLabel;
+  if (observation->sensorLabel != *sensorLabel_) {
+    ++otherSensors_[observation->sensorLabel];
+    ++report_.otherSensors;
+    return;
+  }
+  const std::uint64_t index = nextIndex_++;
+  if (observation->timestamp == INVALID_TIMESTAMP) {
+    ++withoutTime_;
+    ++report_.skippedForPose;
+    return;
+  }
+  const Ticks time = observation->timestamp.time_since_epoch().count();
+  if (lastTime_ && time <= *lastTime_) {
+    if (report_.skippedForTime++ == 0) firstSkippedForTime_ = reader_.place();
+    return;
+  }
+  lastTime_ = time;
+  if (!firstScanTime_) firstScanTime_ = time;
+  poses_.placeScan(time);
+  waiting_.push_back({observation, index, time, reader_.place()});
+}
+
+void RawlogSource::deliver(const Waiting& from, const Eigen::Isometry3d& mapFromRobot,
+                           PosedScan& scan) {
+  readPoints(*from.observation, reader_.file(), from.place, scan);
+  mrpt::poses::CPose3D sensorPose;
+  from.observation->getSensorPose(sensorPose);
+  scan.index = from.index;
+  scan.time = fromMrptTime(from.observation->timestamp);
+  scan.robotFromSensor = fromMrpt(sensorPose);
+  if (!isRigid(scan.robotFromSensor))
+    throw UserError(from.place, "its sensor pose is no rigid motion", "repair the log");
+  // Without a sensor pose nothing is multiplied, so that the bits stay.
+  const bool atOrigin = scan.robotFromSensor.matrix() == Eigen::Matrix4d::Identity();
+  scan.mapFromSensor = atOrigin ? mapFromRobot : mapFromRobot * scan.robotFromSensor;
+  scan.sensorLabel = from.observation->sensorLabel;
+  scan.sensorModel = sensor_.modelOf(scan);
+  countScan(scan.points, report_);
+}
+
+void RawlogSource::failAtEnd() const {
+  if (!damage_.empty())
+    throw UserError(damage_ + " (" + std::to_string(report_.scans) + " scans lie before it)");
+  if (report_.scans == 0) failWithoutScans();
+}
+
+void RawlogSource::failWithoutScans() const {
+  const std::string file = reader_.file().string();
+  if (nextIndex_ == 0 && !otherSensors_.empty())
+    throw UserError(
+        file,
+        "holds no point cloud of sensor '" + *sensorLabel_ + "', but " + listOf(otherSensors_),
+        "set input.sensor_label to one of these");
+  if (nextIndex_ == 0)
+    throw UserError(
+        file,
+        "holds no point cloud" +
+            (otherRangeScans_.empty() ? std::string() : ", only " + listOf(otherRangeScans_)),
+        "give a log with CObservationPointCloud or CObservationVelodyneScan");
+  if (poses_.count() == 0 && poses_.sawOdometry() && !poses_.sawPoses())
+    throw UserError(file, "holds no poses of the robot, only odometry",
+                    "add CObservationRobotPose (from SLAM), or set input.pose_source=odometry");
+  if (poses_.count() == 0)
+    throw UserError(file, "holds no poses of the robot that can be used",
+                    "add CObservationRobotPose (from SLAM) to the log, see input.pose_label and "
+                    "input.pose_source");
+  if (!firstScanTime_)
+    throw UserError(file, "none of its scans has a time stamp", "record the log again");
+  throw UserError(file,
+                  "no scan has a pose near enough in time: scans from " + toText(*firstScanTime_) +
+                      " to " + toText(*lastTime_) + ", poses from " + toText(poses_.firstTime()) +
+                      " to " + toText(poses_.lastTime()),
+                  "set input.time_offset if the clocks differ, or raise input.max_pose_gap");
+}
+
+const InputReport& RawlogSource::report() const {
+  const std::string file = reader_.file().string();
+  report_.warnings.clear();
+  const auto warn = [&](const std::string& text) {
+    report_.warnings.push_back(file + ": " + text);
+  };
+  const std::uint64_t noPose = report_.skippedForPose - withoutTime_;
+  if (noPose > 0)
+    warn(std::to_string(noPose) + " scans were skipped, no pose lies within " +
+         std::to_string(options_.maxPoseGap) + " s before and after them (input.max_pose_gap)");
+  if (withoutTime_ > 0)
+    warn(std::to_string(withoutTime_) + " scans were skipped, they have no time stamp");
+  if (report_.skippedForTime > 0)
+    warn(std::to_string(report_.skippedForTime) +
+         " scans were skipped, they are not later than the one before, first at " +
+         firstSkippedForTime_ + "; cut the log there and map the parts apart");
+  if (!otherSensors_.empty())
+    warn("scans labelled '" + *sensorLabel_ + "' are used, others were left out (" +
+         listOf(otherSensors_) + "); choose with input.sensor_label");
+  if (!otherRangeScans_.empty()) warn("left out, they hold no points: " + listOf(otherRangeScans_));
+  poses_.appendWarnings(file, report_.warnings);
+  return report_;
+}
+
+}  // namespace toss

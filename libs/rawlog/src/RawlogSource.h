@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <mrpt/obs/CObservation.h>
+#include <toss/rawlog/ScanSource.h>
+
+#include <deque>
+#include <map>
+#include <optional>
+
+#include "PoseBuffer.h"
+#include "RawlogPoses.h"
+#include "RawlogReader.h"
+#include "ScanBookkeeping.h"
+
+namespace toss {
+
+/// The scans of a rawlog, each with the pose that the log holds for its time. Poses may come after
+/// the scan: scans wait for them, at most options.lookAhead at a time.
+class RawlogSource : public ScanSource {
+ public:
+  RawlogSource(const std::filesystem::path& file, const InputOptions& options);
+
+  bool next(PosedScan& scan) override;
+  double progress() const override { return reader_.progress(); }
+  std::uint64_t scanCount() const override { return 0; }
+  const InputReport& report() const override;
+
+ private:
+  /// A scan that waits for its pose.
+  struct Waiting {
+    mrpt::obs::CObservation::Ptr observation;
+    std::uint64_t index = 0;
+    PoseBuffer::Ticks time = 0;
+    std::string place;
+  };
+  enum class Decision { Wait, Deliver, Skip };
+
+  bool readMore();
+  mrpt::serialization::CSerializable::Ptr readObject();
+  void take(const mrpt::obs::CObservation::Ptr& observation);
+  void takeScan(const mrpt::obs::CObservation::Ptr& observation);
+  Decision decide(const Waiting& front, std::optional<Eigen::Isometry3d>& pose) const;
+  void deliver(const Waiting& from, const Eigen::Isometry3d& mapFromRobot, PosedScan& scan);
+  void failAtEnd() const;
+  [[noreturn]] void failWithoutScans() const;
+
+  InputOptions options_;
+  RawlogReader reader_;
+  RawlogPoses poses_;
+  std::deque<Waiting> waiting_;
+  bool ended_ = false;
+  /// What is wrong with the file where reading it ended, "" if nothing.
+  std::string damage_;
+  std::uint64_t nextIndex_ = 0;
+  /// Label of the sensor that is read, once known.
+  std::optional<std::string> sensorLabel_;
+  std::optional<PoseBuffer::Ticks> lastTime_, firstScanTime_;
+  /// Observations by class or label that were left out.
+  std::map<std::string, std::uint64_t> otherSensors_, otherRangeScans_;
+  std::uint64_t withoutTime_ = 0;
+  std::string firstSkippedForTime_;
+  SensorMemory sensor_;
+  mutable InputReport report_;
+};
+
+}  // namespace toss
