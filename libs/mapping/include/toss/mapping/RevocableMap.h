@@ -25,16 +25,22 @@ class RevocableMap {
 
   /// Adds returns that can not move any more: ground, background.
   void addPermanent(const std::vector<VoxelContribution>& contributions);
-  /// Enters a box with its returns; they are in the map while the box is static. Box ids ascend.
+  /// Enters a box with its returns, by ascending key; they are in the map while the box is static.
+  /// Throws std::logic_error for a box that was entered before.
   void addBox(BoxId box, TrackId track, std::vector<VoxelContribution> contributions, bool dynamic);
-  /// Label of a box that is neither folded nor settled.
+  /// Adds returns that have no box but go with a trace, by ascending key: as if a static box of
+  /// theirs had been folded.
+  void addToTrack(TrackId track, const std::vector<VoxelContribution>& contributions);
+  /// Label of a box that is neither folded nor settled; std::logic_error for other boxes.
   void setDynamic(BoxId box, bool dynamic);
   /// Moves the box's returns to the ledger of its trace: from now on they are static or dynamic
-  /// with revokeTrack alone. A box that is dynamic at this time is dropped from the map for good.
+  /// with revokeTrack alone. A box that is dynamic at this time is dropped from the map for good; a
+  /// static one without a trace is settled.
   void fold(BoxId box);
-  /// Takes all folded returns of the trace out of the map.
+  /// Takes all folded returns of the trace out of the map; no effect where it has none.
   void revokeTrack(TrackId track);
-  /// Settles a box or a trace: its present label stands for ever, its ledger is dropped.
+  /// Settles a box or a trace: its present label stands for ever, its ledger is dropped. Throws
+  /// std::logic_error for an unknown box; a trace without folded returns has no effect.
   void settleBox(BoxId box);
   void settleTrack(TrackId track);
   /// Settles everything.

@@ -32,7 +32,8 @@ class StaticMap {
 
   /// Adds returns that can not move any more: ground, background, returns without a cluster.
   virtual void addPermanent(const ScanReturns& scan, IndexSpan indices) = 0;
-  /// Enters a box with its returns; they are in the map while the box is static. Box ids ascend.
+  /// Enters a box with its returns; they are in the map while the box is static. `box` is any
+  /// number that was not entered before (else std::logic_error).
   /// `track` 0: the box has no trace.
   virtual void addBox(BoxId box, TrackId track, const ScanReturns& scan, IndexSpan indices,
                       bool dynamic) = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <toss/mapping/VoxelKey.h>
+
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
@@ -22,9 +24,6 @@ struct IndexSpan {
   const std::int32_t* end() const { return data + count; }
 };
 
-/// Index of a voxel: floor(p / voxelSize) per axis, 3 x 21 bits (spec section 8.2).
-using VoxelKey = std::uint64_t;
-
 /// What a set of returns adds to one voxel. Whole numbers only, so that adding and subtracting are
 /// exactly inverse and the order of insertions does not show.
 struct VoxelContribution {
@@ -33,8 +32,16 @@ struct VoxelContribution {
   std::uint32_t count = 0;
   /// Sums of the offsets inside the voxel, in 1/65536 of the voxel size.
   std::uint32_t x = 0, y = 0, z = 0;
-  /// Sum of intensities, in 1/65536 of the unit of the input; negative ones count as 0.
+  /// Sum of intensities, in 1/65536 of the unit of the input, each within [0, 65535] units; values
+  /// that are not finite count as 0.
   std::uint64_t intensity = 0;
+};
+
+/// Contributions to one voxel added up over many scans; members as in VoxelContribution.
+struct VoxelSum {
+  VoxelKey key = 0;
+  std::uint32_t count = 0;
+  std::uint64_t x = 0, y = 0, z = 0, intensity = 0;
 };
 
 /// One point of a finished map.
@@ -54,22 +61,28 @@ class VoxelMap {
   ~VoxelMap();
 
   /// Bins returns into voxels: level coordinates x, y, z [m] (shape [n]; see LevelPoints) plus
-  /// `sensorPosition` [m, map frame], of which `indices` are taken. At most `cap` returns per
-  /// voxel and call are counted, lowest index first. Replaces `result`, ordered by key.
-  void bin(const std::vector<float>& x, const std::vector<float>& y, const std::vector<float>& z,
-           const std::vector<float>& intensity, const Eigen::Vector3d& sensorPosition,
-           const std::vector<std::int32_t>& indices, std::uint32_t cap,
-           std::vector<VoxelContribution>& result) const;
+  /// `sensorPosition` [m, map frame], of which `indices` are taken. `intensity`: shape [n] or
+  /// empty. At most `cap` returns per voxel and call are counted, the first of `indices` first;
+  /// `cap` is within [1, 65535]. Replaces `result`, ordered by key. Returns the number of returns
+  /// left out because they are not finite or out of reach. Throws UserError where the sensor itself
+  /// is. Safe to call from several threads.
+  std::size_t bin(const std::vector<float>& x, const std::vector<float>& y,
+                  const std::vector<float>& z, const std::vector<float>& intensity,
+                  const Eigen::Vector3d& sensorPosition, IndexSpan indices, std::uint32_t cap,
+                  std::vector<VoxelContribution>& result) const;
 
   void add(const std::vector<VoxelContribution>& contributions);
   /// Takes back what was added. Subtracting what was never added is a logic error and throws.
   void subtract(const std::vector<VoxelContribution>& contributions);
+  void subtract(const std::vector<VoxelSum>& sums);
 
-  /// Voxels that hold at least one return.
-  std::size_t size() const;
-  /// Centroid and mean intensity of every voxel, by ascending key.
-  std::vector<MapPoint> points() const;
+  /// Voxels that hold at least `minCount` returns.
+  std::size_t size(std::uint32_t minCount = 1) const;
+  /// Centroid and mean intensity of every such voxel, by ascending key.
+  std::vector<MapPoint> points(std::uint32_t minCount = 1) const;
   double voxelSize() const;
+  /// Bytes held, table load and records without a voxel included.
+  std::size_t bytes() const;
 
  private:
   struct Implementation;

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VoxelStaticMap.h"
+
+namespace toss {
+
+VoxelStaticMap::VoxelStaticMap(const MappingOptions& options, const Eigen::Vector3d& origin)
+    : map_(options, origin),
+      cap_(static_cast<std::uint32_t>(options.cap)),
+      minPoints_(static_cast<std::uint32_t>(options.minPoints)) {}
+
+const std::vector<VoxelContribution>& VoxelStaticMap::bin(const ScanReturns& scan,
+                                                          IndexSpan indices) {
+  leftOut_ += map_.voxels().bin(scan.level.x, scan.level.y, scan.level.z, scan.intensity,
+                                scan.sensorPosition, indices, cap_, contributions_);
+  return contributions_;
+}
+
+void VoxelStaticMap::addPermanent(const ScanReturns& scan, IndexSpan indices) {
+  map_.addPermanent(bin(scan, indices));
+}
+
+void VoxelStaticMap::addBox(BoxId box, TrackId track, const ScanReturns& scan, IndexSpan indices,
+                            bool dynamic) {
+  map_.addBox(box, track, bin(scan, indices), dynamic);
+}
+
+void VoxelStaticMap::addToTrack(TrackId track, const ScanReturns& scan, IndexSpan indices) {
+  map_.addToTrack(track, bin(scan, indices));
+}
+
+}  // namespace toss

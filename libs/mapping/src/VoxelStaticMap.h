@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/mapping/RevocableMap.h>
+#include <toss/mapping/StaticMap.h>
+
+namespace toss {
+
+/// The static map as voxels: bins the returns of each call and enters them into a RevocableMap.
+class VoxelStaticMap : public StaticMap {
+ public:
+  VoxelStaticMap(const MappingOptions& options, const Eigen::Vector3d& origin);
+
+  void addPermanent(const ScanReturns& scan, IndexSpan indices) override;
+  void addBox(BoxId box, TrackId track, const ScanReturns& scan, IndexSpan indices,
+              bool dynamic) override;
+  void addToTrack(TrackId track, const ScanReturns& scan, IndexSpan indices) override;
+  void setDynamic(BoxId box, bool dynamic) override { map_.setDynamic(box, dynamic); }
+  void fold(BoxId box) override { map_.fold(box); }
+  void revokeTrack(TrackId track) override { map_.revokeTrack(track); }
+  void settleBox(BoxId box) override { map_.settleBox(box); }
+  void settleTrack(TrackId track) override { map_.settleTrack(track); }
+  void finish() override { map_.finish(); }
+  std::vector<MapPoint> points() const override { return map_.voxels().points(minPoints_); }
+  std::size_t size() const override { return map_.voxels().size(minPoints_); }
+  std::size_t ledgerBytes() const override { return map_.ledgerBytes(); }
+  std::size_t leftOut() const override { return leftOut_; }
+
+ private:
+  const std::vector<VoxelContribution>& bin(const ScanReturns& scan, IndexSpan indices);
+
+  RevocableMap map_;
+  std::uint32_t cap_, minPoints_;
+  std::size_t leftOut_ = 0;
+  std::vector<VoxelContribution> contributions_;
+};
+
+}  // namespace toss
