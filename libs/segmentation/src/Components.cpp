@@ -8,10 +8,11 @@ void measureComponents(const ObjectNodes& nodes, const std::vector<std::int32_t>
   result.assign(static_cast<std::size_t>(count), Component());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     Component& c = result[static_cast<std::size_t>(component[i])];
-    c.returns += nodes.returns[i];
-    c.nearest = std::min(c.nearest, nodes.range[i]);
-    c.minX = std::min(c.minX, nodes.x[i]), c.maxX = std::max(c.maxX, nodes.x[i]);
-    c.minY = std::min(c.minY, nodes.y[i]), c.maxY = std::max(c.maxY, nodes.y[i]);
+    const ObjectNode& node = nodes[i];
+    c.returns += node.returns;
+    c.nearest = std::min(c.nearest, node.range);
+    c.minX = std::min(c.minX, node.x), c.maxX = std::max(c.maxX, node.x);
+    c.minY = std::min(c.minY, node.y), c.maxY = std::max(c.maxY, node.y);
   }
 }
 

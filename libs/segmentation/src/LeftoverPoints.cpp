@@ -20,8 +20,8 @@ class NearestInstance {
     nearest2_ = distance_ * distance_;
     instance_ = 0;
     const float range = std::sqrt(x * x + y * y + z * z);
-    const int rowReach = reach(range, rules_.rowStep, nodes_.rows());
-    const int columnReach = reach(std::sqrt(x * x + y * y), rules_.columnStep, rules_.columns / 2);
+    const int rowReach = rules_.rowsSpanned(distance_, range);
+    const int columnReach = rules_.columnsSpanned(distance_, std::sqrt(x * x + y * y));
     const int last = std::min(nodes_.rows() - 1, row + rowReach);
     for (int r = std::max(0, row - rowReach); r <= last; ++r) {
       search(r, column - columnReach, column + columnReach);
@@ -30,11 +30,6 @@ class NearestInstance {
   }
 
  private:
-  int reach(float range, float step, int most) const {
-    const float steps = std::ceil(1.2f * distance_ / (std::max(range, 0.01f) * step)) + 1.0f;
-    return static_cast<int>(std::min(steps, static_cast<float>(most)));
-  }
-
   void search(int row, int first, int last) {
     if (first < 0) {
       searchColumns(row, 0, last);
@@ -48,20 +43,22 @@ class NearestInstance {
   }
 
   void searchColumns(int row, int first, int last) {
-    const auto begin = nodes_.column.begin() + nodes_.rowBegin[static_cast<std::size_t>(row)];
-    const auto end = nodes_.column.begin() + nodes_.rowBegin[static_cast<std::size_t>(row) + 1];
-    for (auto it = std::lower_bound(begin, end, first); it != end && *it <= last; ++it) {
-      consider(static_cast<std::size_t>(it - nodes_.column.begin()));
+    const auto begin = nodes_.nodes.begin() + nodes_.rowBegin[static_cast<std::size_t>(row)];
+    const auto end = nodes_.nodes.begin() + nodes_.rowBegin[static_cast<std::size_t>(row) + 1];
+    const auto isBefore = [](const ObjectNode& node, int column) { return node.column < column; };
+    for (auto it = std::lower_bound(begin, end, first, isBefore); it != end && it->column <= last;
+         ++it) {
+      consider(*it, instanceOfNode_[static_cast<std::size_t>(it - nodes_.nodes.begin())]);
     }
   }
 
-  void consider(std::size_t node) {
-    if (instanceOfNode_[node] == 0) return;
-    const float dx = nodes_.x[node] - x_, dy = nodes_.y[node] - y_, dz = nodes_.z[node] - z_;
+  void consider(const ObjectNode& node, std::int32_t instance) {
+    if (instance == 0) return;
+    const float dx = node.x - x_, dy = node.y - y_, dz = node.z - z_;
     const float distance2 = dx * dx + dy * dy + dz * dz;
     if (distance2 >= nearest2_) return;
     nearest2_ = distance2;
-    instance_ = instanceOfNode_[node];
+    instance_ = instance;
   }
 
   const LinkRules& rules_;
@@ -90,7 +87,7 @@ void attachLeftoverPoints(const LevelPoints& points, const RangeImage& image,
   NearestInstance nearest(rules, nodes, instanceOfNode, distance);
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     if (instanceOfNode[n] != 0) continue;
-    attach(static_cast<std::size_t>(nodes.point[n]), points, image, nearest, segmentation);
+    attach(static_cast<std::size_t>(nodes[n].point), points, image, nearest, segmentation);
   }
   for (std::size_t m = 0; m < nodes.matePoint.size(); ++m) {
     if (instanceOfNode[static_cast<std::size_t>(nodes.mateNode[m])] != 0) continue;

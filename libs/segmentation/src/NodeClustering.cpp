@@ -26,8 +26,8 @@ std::int32_t NodeClustering::cluster(const ObjectNodes& nodes, const LinkRules& 
     const std::int32_t root = sets_.find(static_cast<std::int32_t>(run));
     number_[run] =
         root == static_cast<std::int32_t>(run) ? count++ : number_[static_cast<std::size_t>(root)];
-    std::fill(component.begin() + runs_.nodeBegin[run],
-              component.begin() + runs_.nodeBegin[run + 1], number_[run]);
+    std::fill(component.begin() + runs_[run].begin, component.begin() + runs_[run].end,
+              number_[run]);
   }
   return count;
 }

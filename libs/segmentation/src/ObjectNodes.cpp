@@ -6,103 +6,90 @@
 namespace toss {
 namespace {
 
-bool isCandidate(const LevelPoints& points, const RangeImage& image,
-                 const Segmentation& segmentation, std::size_t i) {
-  return segmentation.pointClass[i] == PointClass::Unclustered &&
-         image.row[i] != RangeImage::kNoRow && std::isfinite(points.x[i]) &&
-         std::isfinite(points.y[i]) && std::isfinite(points.z[i]);
+/// What gathering reads.
+struct Scan {
+  const LevelPoints& points;
+  const RangeImage& image;
+  const Segmentation& segmentation;
+};
+
+bool isCandidate(const Scan& scan, std::size_t i) {
+  return scan.segmentation.pointClass[i] == PointClass::Unclustered &&
+         scan.image.row[i] != RangeImage::kNoRow && std::isfinite(scan.points.x[i]) &&
+         std::isfinite(scan.points.y[i]) && std::isfinite(scan.points.z[i]);
 }
 
-void addNode(const LevelPoints& points, const LinkRules& rules, std::size_t i, int column,
-             ObjectNodes& nodes) {
-  const float range = std::sqrt(points.x[i] * points.x[i] + points.y[i] * points.y[i]);
-  const LinkRules::Reach reach = rules.reach(range);
-  nodes.point.push_back(static_cast<std::int32_t>(i));
-  nodes.column.push_back(static_cast<std::uint16_t>(column));
-  nodes.x.push_back(points.x[i]);
-  nodes.y.push_back(points.y[i]);
-  nodes.z.push_back(points.z[i]);
-  nodes.range.push_back(range);
-  nodes.horizontal.push_back(reach.horizontal);
-  nodes.vertical.push_back(reach.vertical);
-  nodes.window.push_back(reach.window);
-  nodes.returns.push_back(1);
+ObjectNode makeNode(const Scan& scan, const LinkRules& rules, std::int32_t point, int column) {
+  const std::size_t i = static_cast<std::size_t>(point);
+  const float x = scan.points.x[i], y = scan.points.y[i];
+  const float range = std::sqrt(x * x + y * y);
+  return {x, y, scan.points.z[i], range, rules.reach(range), column, point, 1};
 }
 
 /// Node `first` or later, all of one pixel, on whose surface a return at `range` lies; -1 if none.
-std::int32_t surfaceAt(const RangeImage& image, const ObjectNodes& nodes, std::size_t first,
-                       float range, float pixelMerge) {
+std::int32_t surfaceAt(const RangeImage& image, const std::vector<ObjectNode>& nodes,
+                       std::size_t first, float range, float pixelMerge) {
   for (std::size_t n = first; n < nodes.size(); ++n) {
-    const float surface = image.range[static_cast<std::size_t>(nodes.point[n])];
+    const float surface = image.range[static_cast<std::size_t>(nodes[n].point)];
     if (std::abs(range - surface) < pixelMerge) return static_cast<std::int32_t>(n);
   }
   return -1;
 }
 
 /// Adds the returns of a pixel: it may hold several surfaces, the edge of one and what is behind.
-void gatherPixel(const LevelPoints& points, const RangeImage& image,
-                 const Segmentation& segmentation, const LinkRules& rules, float pixelMerge,
-                 int row, int column, ObjectNodes& nodes) {
-  const std::size_t first = nodes.size();
-  for (std::int32_t p = image.at(row, column); p != RangeImage::kNone;
-       p = image.next[static_cast<std::size_t>(p)]) {
+void gatherPixel(const Scan& scan, const LinkRules& rules, float pixelMerge, int column,
+                 std::int32_t head, ObjectNodes& result) {
+  const std::size_t first = result.size();
+  for (std::int32_t p = head; p != RangeImage::kNone;
+       p = scan.image.next[static_cast<std::size_t>(p)]) {
     const std::size_t i = static_cast<std::size_t>(p);
-    if (!isCandidate(points, image, segmentation, i)) continue;
-    const std::int32_t host = surfaceAt(image, nodes, first, image.range[i], pixelMerge);
+    if (!isCandidate(scan, i)) continue;
+    const std::int32_t host =
+        surfaceAt(scan.image, result.nodes, first, scan.image.range[i], pixelMerge);
     if (host < 0) {
-      addNode(points, rules, i, column, nodes);
+      result.nodes.push_back(makeNode(scan, rules, p, column));
       continue;
     }
-    nodes.matePoint.push_back(p);
-    nodes.mateNode.push_back(host);
-    ++nodes.returns[static_cast<std::size_t>(host)];
+    result.matePoint.push_back(p);
+    result.mateNode.push_back(host);
+    ++result.nodes[static_cast<std::size_t>(host)].returns;
   }
+}
+
+void clear(ObjectNodes& nodes) {
+  nodes.nodes.clear();
+  nodes.rowBegin.assign(1, 0);
+  nodes.matePoint.clear(), nodes.mateNode.clear();
 }
 
 }  // namespace
 
-void ObjectNodes::clear() {
-  point.clear(), column.clear();
-  x.clear(), y.clear(), z.clear(), range.clear();
-  horizontal.clear(), vertical.clear(), window.clear(), returns.clear();
-  rowBegin.clear();
-  matePoint.clear(), mateNode.clear();
-}
-
 void gatherNodes(const LevelPoints& points, const RangeImage& image,
                  const Segmentation& segmentation, const LinkRules& rules, float pixelMerge,
-                 ObjectNodes& nodes) {
-  nodes.clear();
-  nodes.rowBegin.push_back(0);
+                 ObjectNodes& result) {
+  clear(result);
+  const Scan scan{points, image, segmentation};
   for (int row = 0; row < image.rows; ++row) {
+    const std::int32_t* const heads = image.representative.data() + image.pixel(row, 0);
     for (int column = 0; column < image.columns; ++column) {
-      gatherPixel(points, image, segmentation, rules, pixelMerge, row, column, nodes);
+      if (heads[column] == RangeImage::kNone) continue;
+      gatherPixel(scan, rules, pixelMerge, column, heads[column], result);
     }
-    nodes.rowBegin.push_back(static_cast<std::int32_t>(nodes.size()));
+    result.rowBegin.push_back(static_cast<std::int32_t>(result.size()));
   }
 }
 
 void selectNodes(const ObjectNodes& nodes, const std::vector<std::uint8_t>& selected, float factor,
                  ObjectNodes& result, std::vector<std::int32_t>& source) {
-  result.clear();
+  clear(result);
   source.clear();
-  result.rowBegin.push_back(0);
-  for (int row = 0; row < nodes.rows(); ++row) {
-    const std::size_t r = static_cast<std::size_t>(row);
-    for (std::int32_t n = nodes.rowBegin[r]; n < nodes.rowBegin[r + 1]; ++n) {
-      const std::size_t i = static_cast<std::size_t>(n);
-      if (!selected[i]) continue;
+  for (std::size_t row = 0; row + 1 < nodes.rowBegin.size(); ++row) {
+    for (std::int32_t n = nodes.rowBegin[row]; n < nodes.rowBegin[row + 1]; ++n) {
+      if (!selected[static_cast<std::size_t>(n)]) continue;
       source.push_back(n);
-      result.point.push_back(nodes.point[i]);
-      result.column.push_back(nodes.column[i]);
-      result.x.push_back(nodes.x[i]);
-      result.y.push_back(nodes.y[i]);
-      result.z.push_back(nodes.z[i]);
-      result.range.push_back(nodes.range[i]);
-      result.horizontal.push_back(factor * nodes.horizontal[i]);
-      result.vertical.push_back(factor * nodes.vertical[i]);
-      result.window.push_back(nodes.window[i]);
-      result.returns.push_back(nodes.returns[i]);
+      result.nodes.push_back(nodes[static_cast<std::size_t>(n)]);
+      result.nodes.back().reach.horizontal *= factor;
+      result.nodes.back().reach.vertical *= factor;
     }
     result.rowBegin.push_back(static_cast<std::int32_t>(result.size()));
   }

@@ -86,7 +86,7 @@ void ObjectSegmentation::Implementation::write(Segmentation& segmentation) const
     segmentation.instance[static_cast<std::size_t>(point)] = instance;
     segmentation.pointClass[static_cast<std::size_t>(point)] = PointClass::Instance;
   };
-  for (std::size_t i = 0; i < nodes.size(); ++i) give(nodes.point[i], instanceOfNode[i]);
+  for (std::size_t i = 0; i < nodes.size(); ++i) give(nodes[i].point, instanceOfNode[i]);
   for (std::size_t m = 0; m < nodes.matePoint.size(); ++m) {
     give(nodes.matePoint[m], instanceOfNode[static_cast<std::size_t>(nodes.mateNode[m])]);
   }

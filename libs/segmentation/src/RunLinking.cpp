@@ -16,28 +16,19 @@ RunLinking::Span RunLinking::runsOf(int row) const {
   return {runs_.rowBegin[r], runs_.rowBegin[r + 1]};
 }
 
-RunLinking::Index RunLinking::firstColumn(Index run) const {
-  const Index node = runs_.nodeBegin[static_cast<std::size_t>(run)];
-  return nodes_.column[static_cast<std::size_t>(node)];
-}
-
-RunLinking::Index RunLinking::lastColumn(Index run) const {
-  const Index node = runs_.nodeBegin[static_cast<std::size_t>(run) + 1] - 1;
-  return nodes_.column[static_cast<std::size_t>(node)];
-}
-
 void RunLinking::linkWithin(int row) {
-  nodeDistance_ = &nodes_.horizontal;
-  runDistance_ = &runs_.horizontal;
+  distance_ = &LinkRules::Reach::horizontal;
   heightLimit_ = std::numeric_limits<float>::max();
   const Span span = runsOf(row);
-  sweep(span, span, 0);
+  for (Index a = span.begin; a < span.end; ++a) {
+    const Index last = runs_[at(a)].lastColumn + runs_[at(a)].reach.window;
+    for (Index b = a + 1; b < span.end && runs_[at(b)].firstColumn <= last; ++b) link(a, b, 0);
+  }
   sweepSeam(span, span);
 }
 
 void RunLinking::linkBetween(int upper, int lower) {
-  nodeDistance_ = &nodes_.vertical;
-  runDistance_ = &runs_.vertical;
+  distance_ = &LinkRules::Reach::vertical;
   heightLimit_ = lower - upper > 1 ? rules_.maxHeightGap : std::numeric_limits<float>::max();
   sweep(runsOf(upper), runsOf(lower), 0);
   sweepSeam(runsOf(upper), runsOf(lower));
@@ -46,60 +37,58 @@ void RunLinking::linkBetween(int upper, int lower) {
 
 void RunLinking::sweepSeam(Span left, Span right) {
   Span atEnd{left.end, left.end}, atStart{right.begin, right.begin};
-  while (atEnd.begin > left.begin && lastColumn(atEnd.begin - 1) >= rules_.columns - runs_.widest) {
-    --atEnd.begin;
+  const Index end = rules_.columns - runs_.widest;
+  while (atEnd.begin > left.begin && runs_[at(atEnd.begin - 1)].lastColumn >= end) --atEnd.begin;
+  while (atStart.end < right.end && runs_[at(atStart.end)].firstColumn < runs_.widest) {
+    ++atStart.end;
   }
-  while (atStart.end < right.end && firstColumn(atStart.end) < runs_.widest) ++atStart.end;
   sweep(atEnd, atStart, rules_.columns);
 }
 
 void RunLinking::sweep(Span first, Span second, Index shift) {
-  Index low = second.begin;
+  // Runs of a row are sorted by their first and by their last column alike.
+  Index beside = second.begin;
   for (Index a = first.begin; a < first.end; ++a) {
-    const Index left = firstColumn(a) - shift, right = lastColumn(a) - shift;
-    while (low < second.end && lastColumn(low) < left - runs_.widest) ++low;
-    for (Index b = low; b < second.end && firstColumn(b) <= right + runs_.widest; ++b) {
-      if (mayTouch(a, b, shift) && sets_.find(a) != sets_.find(b) && touches(a, b, shift)) {
-        sets_.unite(a, b);
-      }
+    const Index left = runs_[at(a)].firstColumn - shift, right = runs_[at(a)].lastColumn - shift;
+    const Index window = runs_[at(a)].reach.window;
+    while (beside < second.end && runs_[at(beside)].lastColumn < left) ++beside;
+    for (Index b = beside; b < second.end && runs_[at(b)].firstColumn <= right + window; ++b) {
+      link(a, b, shift);
+    }
+    for (Index b = beside; b > second.begin && runs_[at(b - 1)].lastColumn >= left - window; --b) {
+      link(a, b - 1, shift);
     }
   }
 }
 
-bool RunLinking::mayTouch(Index a, Index b, Index shift) const {
-  const std::size_t i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+void RunLinking::link(Index a, Index b, Index shift) {
+  const RowRun &first = runs_[at(a)], &second = runs_[at(b)];
   // Horizontal distance is at least the difference of the ranges. A hair more, for rounding.
-  const float distance = 1.001f * std::min((*runDistance_)[i], (*runDistance_)[j]) + 1e-4f;
-  if (runs_.nearest[i] - runs_.farthest[j] > distance) return false;
-  if (runs_.nearest[j] - runs_.farthest[i] > distance) return false;
-  const Index window = std::min(runs_.window[i], runs_.window[j]);
-  return firstColumn(b) + shift <= lastColumn(a) + window &&
-         lastColumn(b) + shift >= firstColumn(a) - window;
+  const float limit = 1.001f * std::min(first.reach.*distance_, second.reach.*distance_) + 1e-4f;
+  const float apart = std::max(first.nearest - second.farthest, second.nearest - first.farthest);
+  if (apart > limit || sets_.find(a) == sets_.find(b)) return;
+  if (touches(first, second, shift)) sets_.unite(a, b);
 }
 
-bool RunLinking::touches(Index a, Index b, Index shift) const {
-  const std::size_t i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
-  const Index window = std::min(runs_.window[i], runs_.window[j]);
-  const Index left = firstColumn(b) + shift - window, right = lastColumn(b) + shift + window;
-  Index low = runs_.nodeBegin[j];
-  const Index end = runs_.nodeBegin[j + 1];
-  for (Index p = runs_.nodeBegin[i]; p < runs_.nodeBegin[i + 1]; ++p) {
-    const std::size_t node = static_cast<std::size_t>(p);
-    const Index column = nodes_.column[node];
-    if (column < left) continue;
-    if (column > right) break;
-    const auto other = [&](Index q) { return nodes_.column[static_cast<std::size_t>(q)] + shift; };
-    while (low < end && other(low) < column - window) ++low;
-    for (Index q = low; q < end && other(q) <= column + window; ++q) {
-      if (linked(node, static_cast<std::size_t>(q), std::abs(other(q) - column))) return true;
+bool RunLinking::touches(const RowRun& a, const RowRun& b, Index shift) const {
+  const Index window = std::min(a.reach.window, b.reach.window);
+  Index low = b.begin;
+  for (Index p = a.begin; p < a.end; ++p) {
+    const ObjectNode& node = nodes_[at(p)];
+    const Index column = node.column - shift;
+    if (column < b.firstColumn - window) continue;
+    if (column > b.lastColumn + window) break;
+    while (low < b.end && nodes_[at(low)].column < column - window) ++low;
+    for (Index q = low; q < b.end && nodes_[at(q)].column <= column + window; ++q) {
+      if (linkedNodes(node, nodes_[at(q)], shift)) return true;
     }
   }
   return false;
 }
 
-bool RunLinking::linked(std::size_t a, std::size_t b, Index columnGap) const {
-  return nodes_.linked(*nodeDistance_, a, b, columnGap) &&
-         std::abs(nodes_.z[a] - nodes_.z[b]) <= heightLimit_;
+bool RunLinking::linkedNodes(const ObjectNode& a, const ObjectNode& b, Index shift) const {
+  return linked(a, b, distance_, std::abs(a.column - shift - b.column)) &&
+         std::abs(a.z - b.z) <= heightLimit_;
 }
 
 }  // namespace toss

@@ -6,7 +6,8 @@
 #include <toss/segmentation/RowRuns.h>
 #include <toss/segmentation/UnionFind.h>
 
-#include <vector>
+#include <cstddef>
+#include <cstdint>
 
 namespace toss {
 
@@ -29,21 +30,22 @@ class RunLinking {
     Index begin, end;
   };
   Span runsOf(int row) const;
-  Index firstColumn(Index run) const;
-  Index lastColumn(Index run) const;
-  /// Where `second` is moved by `shift` columns to lie beside `first` across the seam.
+  static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+  /// Links the runs of two rows; `second` lies beside `first` when moved by `shift` columns.
   void sweep(Span first, Span second, Index shift);
+  /// Links the last runs of `left` with the first ones of `right`.
   void sweepSeam(Span left, Span right);
-  bool mayTouch(Index a, Index b, Index shift) const;
-  bool touches(Index a, Index b, Index shift) const;
-  bool linked(std::size_t a, std::size_t b, Index columnGap) const;
+  /// Unites two runs if any of their nodes are linked.
+  void link(Index a, Index b, Index shift);
+  bool touches(const RowRun& a, const RowRun& b, Index shift) const;
+  bool linkedNodes(const ObjectNode& a, const ObjectNode& b, Index shift) const;
 
   const ObjectNodes& nodes_;
   const RowRuns& runs_;
   const LinkRules& rules_;
   UnionFind& sets_;
-  /// Link distances that hold for the two rows at hand: per node, per run; and the height limit.
-  const std::vector<float>*nodeDistance_ = nullptr, *runDistance_ = nullptr;
+  /// Link distance and height limit [m] that hold for the two rows at hand.
+  float LinkRules::Reach::*distance_ = nullptr;
   float heightLimit_ = 0.0f;
 };
 

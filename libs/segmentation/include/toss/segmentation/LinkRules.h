@@ -4,6 +4,9 @@
 #include <toss/segmentation/ObjectOptions.h>
 #include <toss/segmentation/RangeImage.h>
 
+#include <algorithm>
+#include <cstdint>
+
 namespace toss {
 
 /// When two returns of a range image belong to one object. Returns a and b are linked if
@@ -24,22 +27,48 @@ class LinkRules {
     /// Link distances [m] within a row and between rows.
     float horizontal, vertical;
     /// Columns within which a linked return must lie: all those that the link distances can span.
-    int window;
+    std::int32_t window;
   };
   /// `range`: horizontal distance from the sensor [m].
-  Reach reach(float range) const;
+  Reach reach(float range) const {
+    const float within = horizontal_.at(range), between = vertical_.at(range);
+    return {within, between, columnsSpanned(std::max(within, between), range)};
+  }
+
+  /// Columns and rows that a distance [m] spans at most at `range` [m]; up to half the columns.
+  std::int32_t columnsSpanned(float distance, float range) const {
+    return steps(distance, range, columnStep, columns / 2);
+  }
+  std::int32_t rowsSpanned(float distance, float range) const {
+    return steps(distance, range, rowStep, rows);
+  }
+
   /// Fewest returns of an instance whose nearest return is at `range` [m].
   int minPoints(float range) const;
 
   /// Angle [rad] between neighbouring columns, and between neighbouring rows on average.
   float columnStep, rowStep;
-  int columns, rowWindow;
+  int rows, columns, rowWindow;
   /// [m]
   float maxHeightGap;
 
  private:
-  float linkDistance(float range, double base, double steps, float step) const;
+  /// Link distance: range times angle, within bounds.
+  struct Distance {
+    float angle, least, most;
+    float at(float range) const { return std::min(std::max(range * angle, least), most); }
+  };
+  Distance distance(double base, double steps, float step) const;
+
+  /// A distance d spans at most asin(d / range), which 1.2 d / range exceeds up to 50 degrees; one
+  /// more step because returns lie anywhere in their pixels, and one to round up.
+  static std::int32_t steps(float distance, float range, float step, int most) {
+    const float spanned = 1.2f * distance / (std::max(range, 0.01f) * step) + 2.0f;
+    return static_cast<std::int32_t>(std::min(spanned, static_cast<float>(most)));
+  }
+
   ObjectOptions options_;
+  Distance horizontal_, vertical_;
 };
 
 }  // namespace toss

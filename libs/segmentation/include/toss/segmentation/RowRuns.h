@@ -9,28 +9,33 @@
 
 namespace toss {
 
-/// Runs: consecutive nodes of a row, each linked with the next. What TRAVEL calls a node: the unit
-/// that is merged (spec section 3).
+/// Consecutive nodes of a row, each linked with the next. What TRAVEL calls a node: the unit that
+/// is merged (spec section 3).
+struct RowRun {
+  /// First node, and one past the last.
+  std::int32_t begin, end;
+  /// Columns of the first and the last node.
+  std::int32_t firstColumn, lastColumn;
+  /// Least and greatest range of the nodes [m].
+  float nearest, farthest;
+  /// Greatest reach of the nodes.
+  LinkRules::Reach reach;
+};
+
+/// The runs of all rows. Within a row they are sorted by their first and by their last column
+/// alike.
 struct RowRuns {
-  /// Nodes of run k are nodeBegin[k] .. nodeBegin[k + 1] - 1, shape [runs + 1].
-  std::vector<std::int32_t> nodeBegin;
+  std::vector<RowRun> runs;
   /// Runs of row r are rowBegin[r] .. rowBegin[r + 1] - 1, shape [rows + 1].
   std::vector<std::int32_t> rowBegin;
-  /// Over the nodes of each run: least and greatest range [m], greatest link distances [m], and
-  /// widest window [columns], shape [runs] each.
-  std::vector<float> nearest, farthest, horizontal, vertical;
-  std::vector<std::int32_t> window;
   /// Widest window of all [columns].
   std::int32_t widest = 0;
 
-  std::size_t size() const { return nearest.size(); }
+  std::size_t size() const { return runs.size(); }
+  const RowRun& operator[](std::size_t i) const { return runs[i]; }
 
   /// Cuts the rows of `nodes` into runs.
   void build(const ObjectNodes& nodes);
-
- private:
-  void start(const ObjectNodes& nodes, std::int32_t node);
-  void extend(const ObjectNodes& nodes, std::int32_t node);
 };
 
 }  // namespace toss
