@@ -18,11 +18,18 @@ struct Layer {
   std::size_t count = 0;
 };
 
+/// Step from one return to the next that the fit looks at.
+std::size_t strideOf(const NodePoints& points, const GroundOptions& options) {
+  if (options.maxFitPoints == 0) return 1;
+  const auto most = static_cast<std::size_t>(options.maxFitPoints);
+  return std::max<std::size_t>(1, (points.count + most - 1) / most);
+}
+
 /// Mean height of the lowest returns that lie above `floor`; infinity where there is none.
-float meanOfLowest(const NodePoints& points, float floor, std::size_t wanted) {
+float meanOfLowest(const NodePoints& points, std::size_t stride, float floor, std::size_t wanted) {
   float lowest[64];
   std::size_t found = 0;
-  for (std::size_t i = 0; i < points.count; ++i) {
+  for (std::size_t i = 0; i < points.count; i += stride) {
     const float z = points.z[i];
     if (z <= floor || (found == wanted && z >= lowest[found - 1])) continue;
     if (found < wanted) ++found;
@@ -38,13 +45,15 @@ float meanOfLowest(const NodePoints& points, float floor, std::size_t wanted) {
 
 Layer layerAbove(const NodePoints& points, float floor, const GroundOptions& options) {
   Layer layer;
-  layer.bottom = meanOfLowest(points, floor, static_cast<std::size_t>(options.lowestPoints));
+  const std::size_t stride = strideOf(points, options);
+  layer.bottom =
+      meanOfLowest(points, stride, floor, static_cast<std::size_t>(options.lowestPoints));
   layer.top = layer.bottom;
   const float limit = layer.bottom + static_cast<float>(options.seedHeight);
-  for (std::size_t i = 0; i < points.count; ++i) {
+  for (std::size_t i = 0; i < points.count; i += stride) {
     const float z = points.z[i];
     if (z <= floor || z > limit) continue;
-    ++layer.count;
+    layer.count += stride;
     layer.top = std::max(layer.top, z);
   }
   return layer;
@@ -99,13 +108,14 @@ GroundNode fitGroundNode(const NodePoints& points, const GroundOptions& options)
   const Eigen::Vector3d origin(points.x[0], points.y[0], points.z[0]);
   const auto x0 = points.x[0], y0 = points.y[0], z0 = points.z[0];
   const auto below = static_cast<float>(options.groundHeight);
+  const std::size_t stride = strideOf(points, options);
   const float bottom = lowestLayer(points, options);
   const float floor = bottom - static_cast<float>(options.outlierDepth);
   const float ceiling = bottom + static_cast<float>(options.seedHeight);
 
   for (int round = 0; round < options.iterations; ++round) {
     Moments sums;
-    for (std::size_t i = 0; i < points.count; ++i) {
+    for (std::size_t i = 0; i < points.count; i += stride) {
       const float x = points.x[i], y = points.y[i], z = points.z[i];
       const bool seed = z >= floor && z < ceiling;
       const bool near = z >= floor && node.heightOf(x, y, z) < below;

@@ -18,9 +18,9 @@ void visitField(GroundOptions& options, OptionVisitor& visitor) {
 }
 
 void visitPlanes(GroundOptions& options, OptionVisitor& visitor) {
-  visitor.integer({"num_iter", "", "Rounds of plane fit and re-selection per triangle.",
-                   "TRAVEL, spec 2.2"},
-                  options.iterations, 1, 20);
+  visitor.integer(
+      {"num_iter", "", "Rounds of plane fit and re-selection per triangle.", "TRAVEL, spec 2.2"},
+      options.iterations, 1, 20);
   visitor.integer({"num_lpr", "",
                    "Lowest returns whose mean height starts the fit. A larger value resists "
                    "single low outliers.",
@@ -31,6 +31,11 @@ void visitPlanes(GroundOptions& options, OptionVisitor& visitor) {
                    "the terrain around.",
                    "TRAVEL, spec 2.2"},
                   options.minPoints, 3, 10000);
+  visitor.integer({"max_fit_pts", "",
+                   "Most returns of a triangle that its fit looks at, evenly picked; 0 takes all, "
+                   "which is slower and fits no better.",
+                   "measured; 0 = TRAVEL"},
+                  options.maxFitPoints, 0, 1000000);
   visitor.real({"th_seeds", "m",
                 "Height above the lowest returns up to which returns start the fit. A larger value "
                 "suits steeper ground.",
@@ -46,10 +51,15 @@ void visitPlanes(GroundOptions& options, OptionVisitor& visitor) {
                 "more of rough ground, and more of feet and tyres.",
                 "TRAVEL, spec 2.5"},
                options.groundHeight, 0.01, 2.0);
-  visitor.real({"th_outlier", "m",
-                "Depth under the plane from which a return lies below the ground.",
-                "TRAVEL, spec 2.5"},
-               options.outlierDepth, 0.01, 10.0);
+  visitor.real(
+      {"th_outlier", "m", "Depth under the plane from which a return lies below the ground.",
+       "TRAVEL, spec 2.5"},
+      options.outlierDepth, 0.01, 10.0);
+  visitor.real({"min_buried_path", "m",
+                "Length that a beam must have run under the ground for its return to be below it: "
+                "shorter ones end in ditches and beyond edges. 0 believes in no ditch.",
+                "0 = TRAVEL"},
+               options.minBuriedPath, 0.0, 100.0);
   visitor.real({"th_normal", "",
                 "Least vertical component of a plane's normal: cosine of the steepest slope that "
                 "is ground (0.94: 20 degrees, 0.80: 37 degrees).",
@@ -90,7 +100,12 @@ void visitTerrain(GroundOptions& options, OptionVisitor& visitor) {
                    "Rounds in which the terrain model is fitted to all ground returns at once; 0 "
                    "keeps the average of the patches. Needs refine_mode.",
                    "measured; 0 = TRAVEL"},
-                  options.terrainRounds, 0, 10);
+                  options.terrainRounds, 0, 4);
+  visitor.integer({"subdivision", "",
+                   "Squares of the terrain model along a side of a square of the field. A larger "
+                   "value follows kerbs and bumps more closely.",
+                   "measured"},
+                  options.subdivision, 1, 16);
 }
 
 }  // namespace

@@ -10,27 +10,41 @@
 
 namespace toss {
 
-/// The returns of a scan grouped by node (counting sort, so that each node's lie side by side in
-/// memory, in the order of the scan).
+/// The returns of a scan grouped by the nodes of two nested fields at once (counting sort), so that
+/// those of a node lie side by side in memory, in the order of the scan within each fine node.
 class NodeSorting {
  public:
-  /// Groups the returns that are Unclustered, i.e. not yet decided, and lie inside the field.
-  void sort(const LevelPoints& points, const std::vector<PointClass>& pointClass,
-            const TriGridField& field);
+  /// `fine` = coarse.refined(factor); both must outlive this.
+  NodeSorting(const TriGridField& coarse, const TriGridField& fine, int factor);
 
-  NodePoints pointsOf(std::size_t node) const {
-    const auto first = static_cast<std::size_t>(begin_[node]);
-    return {x_.data() + first, y_.data() + first, z_.data() + first,
-            static_cast<std::size_t>(begin_[node + 1]) - first};
-  }
-  /// Indices in the scan of the node's returns.
-  const std::int32_t* originalOf(std::size_t node) const {
-    return original_.data() + begin_[node];
-  }
+  /// Groups the returns that are Unclustered, i.e. not yet decided, and lie inside the field.
+  void sort(const LevelPoints& points, const std::vector<PointClass>& pointClass);
+
+  /// Returns of a node of the coarse field.
+  NodePoints ofCoarse(int node) const { return between(node * share_, (node + 1) * share_); }
+  /// Returns of the fine node at a place. Places count the fine nodes, those of coarse node c being
+  /// c * finePerCoarse() and following.
+  NodePoints atPlace(int place) const { return between(place, place + 1); }
+  /// Indices in the scan of the returns of the fine node at a place.
+  const std::int32_t* originalAtPlace(int place) const { return original_.data() + begin(place); }
+  int fineAtPlace(int place) const { return fineAtPlace_[static_cast<std::size_t>(place)]; }
+  int finePerCoarse() const { return share_; }
+  int places() const { return static_cast<int>(fineAtPlace_.size()); }
 
  private:
-  /// Node of each return, -1 for none, shape [n].
-  std::vector<std::int32_t> node_;
+  std::size_t begin(int place) const {
+    return static_cast<std::size_t>(begin_[static_cast<std::size_t>(place)]);
+  }
+  NodePoints between(int first, int last) const {
+    const std::size_t from = begin(first);
+    return {x_.data() + from, y_.data() + from, z_.data() + from, begin(last) - from};
+  }
+
+  const TriGridField& fine_;
+  int share_;
+  std::vector<std::int32_t> placeOfFine_, fineAtPlace_;
+  /// Place of each return, -1 for none, shape [n].
+  std::vector<std::int32_t> place_;
   std::vector<std::int32_t> begin_, cursor_, original_;
   std::vector<float> x_, y_, z_;
 };

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FastArcTangent.h"
-
 #include <toss/segmentation/RangeImageProjection.h>
 
 #include <algorithm>
 #include <limits>
 
+#include "FastArcTangent.h"
+
 namespace toss {
 namespace {
 
-constexpr float kPi = 3.14159265358979f;
 constexpr int kColumnsOfUnknownSensor = 2048;
 
 ProjectionOptions checked(ProjectionOptions options, const SensorModel& sensor) {
@@ -24,12 +23,8 @@ ProjectionOptions checked(ProjectionOptions options, const SensorModel& sensor) 
 
 }  // namespace
 
-int columnOfAzimuth(float azimuth, int columns) {
-  const int column = static_cast<int>((0.5f - azimuth * (0.5f / kPi)) * static_cast<float>(columns));
-  return column >= columns ? column - columns : std::max(column, 0);
-}
-
 float azimuthOfColumn(int column, int columns) {
+  constexpr float kPi = 3.14159265358979f;
   return kPi * (1.0f - (2.0f * static_cast<float>(column) + 1.0f) / static_cast<float>(columns));
 }
 
@@ -84,8 +79,8 @@ void RangeImageProjection::classify(const PointCloud& points, RangeImage& image,
   for (std::size_t i = 0; i < n; ++i) {
     const float x = points.x[i], y = points.y[i], z = points.z[i];
     const bool invalid = (directions_.valid[i] == 0) | (x * x + y * y < egoSquared);
-    const bool outside = (image.range[i] < minRange) | (image.range[i] > maxRange) | (z < minZ) |
-                         (z > maxZ);
+    const bool outside =
+        (image.range[i] < minRange) | (image.range[i] > maxRange) | (z < minZ) | (z > maxZ);
     const PointClass unlessInvalid = outside ? PointClass::OutOfRange : PointClass::Unclustered;
     pointClass[i] = invalid ? PointClass::Invalid : unlessInvalid;
   }

@@ -36,8 +36,7 @@ RowAssignment::RowAssignment(const SensorModel& sensor, RowPolicy policy)
   std::vector<float> slopes;
   for (const float elevation : sensor.elevations) slopes.push_back(std::tan(elevation));
   for (std::size_t row = 0; row + 1 < slopes.size(); ++row) {
-    boundary_.push_back(
-        std::tan(0.5f * (sensor.elevations[row] + sensor.elevations[row + 1])));
+    boundary_.push_back(std::tan(0.5f * (sensor.elevations[row] + sensor.elevations[row + 1])));
   }
   topSlope_ = slopes.front();
   const float spread = std::max(slopes.front() - slopes.back(), 1e-6f);

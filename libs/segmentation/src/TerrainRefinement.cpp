@@ -35,24 +35,27 @@ void averageVertices(const TriGridField& field, const std::vector<GroundNode>& n
   }
 }
 
+void replacePlane(const TriGridField& field, const GroundOptions& options,
+                  const VertexHeights& heights, int index, GroundNode& node) {
+  std::array<Eigen::Vector3f, 3> q;
+  const std::array<std::int32_t, 3>& vertices = field.verticesOf(index);
+  for (std::size_t i = 0; i < 3; ++i) {
+    q[i] << field.vertexPosition(vertices[i]), heights[static_cast<std::size_t>(vertices[i])];
+  }
+  if (!std::isfinite(q[0].z() + q[1].z() + q[2].z())) {
+    if (node.type != NodeType::NonGround) node.type = NodeType::Unknown;
+    return;
+  }
+  node.normal = (q[0] - q[2]).cross(q[1] - q[2]).normalized();
+  node.offset = -node.normal.dot(q[2]);
+  const bool level = node.normal.z() >= static_cast<float>(options.minNormalZ);
+  node.type = level ? NodeType::Ground : NodeType::NonGround;
+}
+
 void replacePlanes(const TriGridField& field, const GroundOptions& options,
                    const VertexHeights& heights, std::vector<GroundNode>& nodes) {
   for (int index = 0; index < field.nodes(); ++index) {
-    GroundNode& node = nodes[static_cast<std::size_t>(index)];
-    std::array<Eigen::Vector3f, 3> q;
-    const std::array<int, 3> vertices = field.verticesOf(index);
-    for (std::size_t i = 0; i < 3; ++i) {
-      q[i] << field.vertexPosition(vertices[i]), heights[static_cast<std::size_t>(vertices[i])];
-    }
-    if (!std::isfinite(q[0].z() + q[1].z() + q[2].z())) {
-      if (node.type != NodeType::NonGround) node.type = NodeType::Unknown;
-      continue;
-    }
-    const Eigen::Vector3f normal = (q[0] - q[2]).cross(q[1] - q[2]).normalized();
-    const bool level = normal.z() >= static_cast<float>(options.minNormalZ);
-    node.type = level ? NodeType::Ground : NodeType::NonGround;
-    node.normal = normal;
-    node.offset = -normal.dot(q[2]);
+    replacePlane(field, options, heights, index, nodes[static_cast<std::size_t>(index)]);
   }
 }
 

@@ -98,8 +98,7 @@ bool isTraversable(const GroundNode& a, const GroundNode& b, const GroundOptions
   constexpr float kHalfPi = 1.57079632679f;
   const Eigen::Vector3f step = b.mean - a.mean;
   const float distance = step.norm();
-  const float turn =
-      std::min(distance * static_cast<float>(options.convexityNormal), kHalfPi);
+  const float turn = std::min(distance * static_cast<float>(options.convexityNormal), kHalfPi);
   if (a.normal.dot(b.normal) < 1.0f - std::sin(turn)) return false;
   const float rise = distance * std::sin(static_cast<float>(options.convexityPlanar));
   return std::fabs(a.normal.dot(step)) <= rise && std::fabs(b.normal.dot(step)) <= rise;

@@ -6,33 +6,52 @@
 namespace toss {
 
 TriGridField::TriGridField(double extent, double cellSize)
-    : side_(std::max(2, static_cast<int>(2.0 * extent / cellSize + 1e-6))),
-      cellSize_(static_cast<float>(cellSize)),
-      half_(0.5f * static_cast<float>(side_) * cellSize_),
-      squaresPerMetre_(1.0f / cellSize_) {
+    : TriGridField(std::max(2, static_cast<int>(2.0 * extent / cellSize + 1e-6)),
+                   static_cast<float>(cellSize)) {}
+
+TriGridField::TriGridField(int side, float cellSize)
+    : side_(side),
+      cellSize_(cellSize),
+      half_(0.5f * static_cast<float>(side) * cellSize),
+      squaresPerMetre_(1.0f / cellSize) {
+  placeVertices();
+  connectNodes();
   findNeighbours();
 }
 
-std::array<int, 3> TriGridField::verticesOf(int node) const {
-  const int square = node / 4, row = square / side_, column = square % side_;
-  const auto corner = [&](int r, int c) { return (row + r) * (side_ + 1) + column + c; };
-  const int centre = (side_ + 1) * (side_ + 1) + square;
-  switch (node % 4) {
-    case 0: return {corner(1, 0), corner(1, 1), centre};
-    case 1: return {corner(1, 1), corner(0, 1), centre};
-    case 2: return {corner(0, 1), corner(0, 0), centre};
-    default: return {corner(0, 0), corner(1, 0), centre};
+TriGridField TriGridField::refined(int factor) const {
+  return TriGridField(side_ * factor, cellSize_ / static_cast<float>(factor));
+}
+
+void TriGridField::placeVertices() {
+  for (const float shift : {0.0f, 0.5f}) {
+    const int width = shift == 0.0f ? side_ + 1 : side_;
+    for (int row = 0; row < width; ++row) {
+      for (int column = 0; column < width; ++column) {
+        positions_.emplace_back((static_cast<float>(row) + shift) * cellSize_ - half_,
+                                (static_cast<float>(column) + shift) * cellSize_ - half_);
+      }
+    }
   }
 }
 
-Eigen::Vector2f TriGridField::vertexPosition(int vertex) const {
-  const int corners = (side_ + 1) * (side_ + 1);
-  const bool isCorner = vertex < corners;
-  const int width = isCorner ? side_ + 1 : side_;
-  const int index = isCorner ? vertex : vertex - corners;
-  const float shift = isCorner ? 0.0f : 0.5f;
-  return {(static_cast<float>(index / width) + shift) * cellSize_ - half_,
-          (static_cast<float>(index % width) + shift) * cellSize_ - half_};
+void TriGridField::connectNodes() {
+  const auto corner = [this](int row, int column) { return row * (side_ + 1) + column; };
+  int centre = (side_ + 1) * (side_ + 1);
+  for (int r = 0; r < side_; ++r) {
+    for (int c = 0; c < side_; ++c, ++centre) {
+      verticesOf_.push_back({corner(r + 1, c), corner(r + 1, c + 1), centre});
+      verticesOf_.push_back({corner(r + 1, c + 1), corner(r, c + 1), centre});
+      verticesOf_.push_back({corner(r, c + 1), corner(r, c), centre});
+      verticesOf_.push_back({corner(r, c), corner(r + 1, c), centre});
+    }
+  }
+}
+
+Eigen::Vector2f TriGridField::centroidOf(int node) const {
+  Eigen::Vector2f sum = Eigen::Vector2f::Zero();
+  for (const int vertex : verticesOf(node)) sum += vertexPosition(vertex);
+  return sum / 3.0f;
 }
 
 int TriGridField::ringOf(int node) const {

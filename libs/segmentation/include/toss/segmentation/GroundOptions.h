@@ -23,20 +23,22 @@ struct GroundOptions : Options {
   /// Half the side of the square field around the sensor [m].
   double extent = 64.0;
   /// Side of a square of the field [m]; each square holds four triangles.
-  double cellSize = 4.0;
+  double cellSize = 8.0;
   /// Plane fits per triangle.
   int iterations = 3;
   /// Lowest returns whose mean height starts the fit.
   int lowestPoints = 5;
   /// Returns that a triangle needs for a plane of its own.
   int minPoints = 10;
+  /// Most returns of a triangle that its fit looks at, evenly picked; 0 = all.
+  int maxFitPoints = 512;
   /// Height above the lowest returns up to which returns start the fit [m].
   double seedHeight = 0.5;
   /// Share of a layer's returns that a layer below it needs, lest it be taken for a reflection; 0
   /// believes every layer.
   double minLayerShare = 0.1;
   /// Distance above the plane up to which a return is ground [m].
-  double groundHeight = 0.125;
+  double groundHeight = 0.10;
   /// Depth under the plane from which a return is BelowGround [m].
   double outlierDepth = 0.3;
   /// Least vertical component of a ground plane's normal: cosine of the steepest slope.
@@ -53,6 +55,10 @@ struct GroundOptions : Options {
   bool refine = true;
   /// Rounds of fitting the terrain model to all ground returns at once; 0 leaves TRAVEL's average.
   int terrainRounds = 2;
+  /// Squares of the terrain model along a side of a square of the field.
+  int subdivision = 4;
+  /// Length of a beam under the ground [m] from which its return is BelowGround; less is a ditch.
+  double minBuriedPath = 1.5;
 
   const char* section() const override { return "ground"; }
   void visit(OptionVisitor& visitor) override;

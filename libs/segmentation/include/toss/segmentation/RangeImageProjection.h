@@ -8,6 +8,7 @@
 #include <toss/segmentation/RowAssignment.h>
 #include <toss/segmentation/Segmentation.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -15,7 +16,12 @@ namespace toss {
 
 /// Column of an azimuth [rad] in [-pi, pi] in an image of that many columns (paper Eq. 1, u);
 /// -pi and pi both give column 0.
-int columnOfAzimuth(float azimuth, int columns);
+inline int columnOfAzimuth(float azimuth, int columns) {
+  constexpr float kTurnsPerRadian = 0.159154943f;
+  const float turned = 0.5f - azimuth * kTurnsPerRadian;
+  const int column = static_cast<int>(turned * static_cast<float>(columns));
+  return column >= columns ? column - columns : std::max(column, 0);
+}
 
 /// Azimuth [rad] of the middle of a column.
 float azimuthOfColumn(int column, int columns);

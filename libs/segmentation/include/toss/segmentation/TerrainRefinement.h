@@ -16,9 +16,12 @@ using VertexHeights = std::vector<float>;
 void averageVertices(const TriGridField& field, const std::vector<GroundNode>& nodes,
                      VertexHeights& heights);
 
-/// Plane of each node through its three vertices: nodes that are no steeper than allowed become
-/// Ground (and so are revived between others), the rest NonGround; nodes without all three vertices
-/// become Unknown unless they are NonGround (spec section 2.4).
+/// Plane of one node through its three vertices: Ground where it is no steeper than allowed, else
+/// NonGround; without all three vertices Unknown unless it is NonGround (spec section 2.4).
+void replacePlane(const TriGridField& field, const GroundOptions& options,
+                  const VertexHeights& heights, int index, GroundNode& node);
+
+/// The same for all nodes, which revives those between others.
 void replacePlanes(const TriGridField& field, const GroundOptions& options,
                    const VertexHeights& heights, std::vector<GroundNode>& nodes);
 
