@@ -6,19 +6,36 @@
 namespace toss {
 namespace {
 
+/// Range noise of a spinning LiDAR [m]: faces scatter by that much even where none is seen.
+constexpr double kRangeNoise = 0.02;
+
 /// Auto-MOS: more than five detections, and further than the longest edge of any box of the trace.
 bool movesByAutoMos(const MotionEvidence& evidence) {
   return evidence.hits() > 5 && evidence.displacement3d() > evidence.longestEdge();
 }
 
+/// Cheap necessary condition of test a, which spares most static traces the fit.
+bool hasLeftItsPlace(const std::vector<TimedBox>& boxes, double demanded) {
+  const Eigen::Vector3d apart = boxes.back().box.center - boxes.front().box.center;
+  return apart.head<2>().norm() > 0.5 * demanded;
+}
+
 bool movesByTests(const MotionEvidence& evidence, const MotionOptions& options) {
-  if (evidence.hits() < options.minHits || evidence.age() < options.minAge) return false;
-  const double demanded = std::clamp(options.extentFactor * evidence.medianExtent(),
-                                     options.minExcursion, options.maxExcursion);
-  return evidence.excursion() > demanded &&
-         evidence.excursion() > options.jitterFactor * evidence.jitter() &&
-         evidence.excursion() >= options.minPathEfficiency * evidence.pathLength() &&
-         evidence.faceDisplacement() >= options.faceShare * demanded;
+  const std::vector<TimedBox>& boxes = evidence.recent();
+  if (static_cast<int>(boxes.size()) < options.minHits ||
+      boxes.back().time - boxes.front().time < options.minAge ||
+      evidence.medianHeight() < options.minHeight) {
+    return false;
+  }
+  const double extent = options.extentFactor * evidence.medianExtent();
+  const double demanded = std::max(options.minExcursion, std::min(extent, options.maxExcursion));
+  if (!hasLeftItsPlace(boxes, demanded)) return false;
+  const FaceMotion motion = fitFaceMotion(boxes);
+  return motion.displacement > demanded &&
+         motion.displacement > options.jitterFactor * (motion.scatter + kRangeNoise) &&
+         motion.displacement >= options.minPathEfficiency * evidence.recentPathLength() &&
+         motion.lagging >= options.faceShare * demanded &&
+         motion.lagging >= options.faceRatio * motion.leading;
 }
 
 bool isStrong(const MotionEvidence& evidence, const MotionOptions& options) {

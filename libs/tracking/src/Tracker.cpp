@@ -50,7 +50,7 @@ struct Tracker::Implementation {
   void takeDetections();
   void takeDetection(TrackState& state, std::size_t detection);
   void showEstimate(TrackState& state);
-  void observeMotion(TrackState& state, const Box& measured, double innovation);
+  void observeMotion(TrackState& state, const Box& measured);
   void endTracks();
   void startTracks();
   void startTrack(std::size_t detection);
@@ -185,7 +185,6 @@ void Tracker::Implementation::showEstimate(TrackState& state) {
 
 void Tracker::Implementation::takeDetection(TrackState& state, std::size_t detection) {
   const Box& measured = (*detections)[detection].box;
-  const double innovation = (measured.center - state.filter.box().center).head<2>().norm();
   Track& track = state.track;
   if (track.hits > 1) state.awaitsConfirmation = false;
   state.filter.update(measured, noise);
@@ -194,15 +193,15 @@ void Tracker::Implementation::takeDetection(TrackState& state, std::size_t detec
   track.misses = 0;
   track.confirmed = track.hits >= tracking.lifecycle.minHits;
   trackOfDetection[detection] = track.id;
-  observeMotion(state, measured, innovation);
+  observeMotion(state, measured);
 }
 
-void Tracker::Implementation::observeMotion(TrackState& state, const Box& measured,
-                                            double innovation) {
-  state.evidence.add(
-      {time, state.filter.box(), measured, innovation, std::sqrt(state.filter.positionVariance())});
+void Tracker::Implementation::observeMotion(TrackState& state, const Box& measured) {
+  state.evidence.add({time, state.filter.box(), measured});
   Track& track = state.track;
-  track.motion = std::max(track.motion, classifyMotion(state.evidence, motion));
+  if (track.motion != MotionClass::Strong) {
+    track.motion = std::max(track.motion, classifyMotion(state.evidence, motion));
+  }
   track.excursion = state.evidence.excursion();
   track.pathLength = state.evidence.pathLength();
   track.medianExtent = state.evidence.medianExtent();
@@ -230,14 +229,14 @@ void Tracker::Implementation::startTracks() {
 
 void Tracker::Implementation::startTrack(std::size_t detection) {
   const Box& measured = (*detections)[detection].box;
-  TrackState state{{}, KalmanFilter(measured, noise), {}};
+  TrackState state{{}, KalmanFilter(measured, noise), MotionEvidence(motion.window)};
   state.track.id = ++lastId;
   state.track.birthTime = time;
   state.track.detection = static_cast<std::int32_t>(detection);
   state.track.hits = 1;
   state.track.confirmed = tracking.lifecycle.minHits <= 1;
   trackOfDetection[detection] = state.track.id;
-  observeMotion(state, measured, 0.0);
+  observeMotion(state, measured);
   showEstimate(state);
   states.push_back(std::move(state));
 }

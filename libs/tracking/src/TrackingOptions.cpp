@@ -99,7 +99,7 @@ void visitLifecycle(LifecycleOptions& options, OptionVisitor& visitor) {
                    "Auto-MOS, spec section 4.3"},
                   options.minMatchPoints, 1, 1000000);
   visitor.integer({"min_birth_points", "returns", "fewest returns of a box that starts a trace",
-                   "spec section 4.3"},
+                   "spec section 11; section 4.3: 10"},
                   options.minBirthPoints, 1, 1000000);
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <toss/geometry/Box.h>
+#include <toss/tracking/FaceMotion.h>
+#include <toss/tracking/RunningMedian.h>
 
 #include <vector>
 
@@ -13,47 +15,46 @@ struct MotionObservation {
   double time = 0.0;
   /// Box after the filter's update and box as measured, map frame.
   Box estimated, measured;
-  /// Horizontal distance [m] of the measured centre from its prediction.
-  double innovation = 0.0;
-  /// Standard deviation of the estimated centre [m].
-  double positionSd = 0.0;
 };
 
-/// Running summary of a trace's detections, constant work each but for the median.
+/// Summary of a trace's detections: of its whole life, and of a window of time that moves along.
 class MotionEvidence {
  public:
+  /// `window`: length of the window [s].
+  explicit MotionEvidence(double window) : window_(window) {}
+
   void add(const MotionObservation& observation);
 
   /// Detections so far.
   int hits() const { return hits_; }
-  /// Time from the first to the last detection [s].
-  double age() const { return lastTime_ - firstTime_; }
   /// Largest horizontal distance of the estimated centre from its first place [m].
   double excursion() const { return excursion_; }
-  /// Horizontal distance of the last estimated centre from the first [m].
-  double displacement() const;
-  /// Length of the horizontal path [m]; steps below 5 cm do not count.
-  double pathLength() const { return pathLength_; }
-  /// Median of the longer horizontal edge [m].
-  double medianExtent() const;
-  /// Longest edge ever measured, vertical ones included [m].
-  double longestEdge() const { return longestEdge_; }
   /// Distance between first and last estimated centre in three dimensions [m].
   double displacement3d() const { return (last_ - first_).norm(); }
-  /// Standard deviation of the last centre [m].
-  double jitter() const { return jitter_; }
-  /// How far the lagging one of front and rear face has moved in the direction of the displacement
-  /// since the first detection [m]; negative where it has moved backwards.
-  double faceDisplacement() const;
+  /// Length of the estimated centre's horizontal path [m]; steps below 5 cm do not count.
+  double pathLength() const { return pathLength_; }
+  /// Median of the longer horizontal edge and of the height [m], as measured.
+  double medianExtent() const { return extents_.value(); }
+  double medianHeight() const { return heights_.value(); }
+  /// Longest edge ever measured, vertical ones included [m].
+  double longestEdge() const { return longestEdge_; }
+
+  /// Measured boxes within the window, by ascending time.
+  const std::vector<TimedBox>& recent() const { return recent_; }
+  /// Path length within the window [m].
+  double recentPathLength() const { return recent_.empty() ? 0.0 : pathLength_ - pathAt_.front(); }
 
  private:
+  void forgetBefore(double time);
+
+  double window_;
   int hits_ = 0;
-  double firstTime_ = 0.0, lastTime_ = 0.0;
-  double excursion_ = 0.0, pathLength_ = 0.0, longestEdge_ = 0.0, jitter_ = 0.0;
+  double excursion_ = 0.0, pathLength_ = 0.0, longestEdge_ = 0.0;
   Eigen::Vector3d first_ = Eigen::Vector3d::Zero(), last_ = Eigen::Vector3d::Zero();
-  Box firstMeasured_, lastMeasured_;
-  /// Ascending.
-  std::vector<float> extents_;
+  std::vector<TimedBox> recent_;
+  /// Path length at each of the recent boxes [m].
+  std::vector<double> pathAt_;
+  RunningMedian extents_, heights_;
 };
 
 }  // namespace toss

@@ -80,7 +80,7 @@ struct LifecycleOptions {
   /// Detections until a trace is confirmed; scans without detection until it ends.
   int minHits = 3, maxMisses = 5;
   /// Fewest returns of a box that may continue a trace, and of one that may start a trace.
-  int minMatchPoints = 5, minBirthPoints = 10;
+  int minMatchPoints = 5, minBirthPoints = 5;
 };
 
 /// Options of the multi-object tracker, section [tracking].
