@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <toss/tracking/BoundingBoxes.h>
+#include <toss/tracking/LShapeFit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace toss {
+namespace {
+
+/// Interval of coordinates [m].
+struct Span {
+  float low = 0.0f, high = 0.0f;
+  double length() const { return static_cast<double>(high - low); }
+  double middle() const { return 0.5 * (static_cast<double>(low) + static_cast<double>(high)); }
+};
+
+/// Boxes one instance after the other; keeps its memory.
+class InstanceBoxer {
+ public:
+  InstanceBoxer(const LevelPoints& points, const Segmentation& segmentation,
+                const BoxOptions& options)
+      : points_(points), segmentation_(segmentation), options_(options) {}
+
+  /// Detection of instance `k` (from 1), its box in the level frame.
+  Detection detect(std::int32_t k) {
+    gather(k);
+    Detection detection;
+    detection.instance = k;
+    detection.pointCount = static_cast<std::int32_t>(x_.size());
+    detection.box = footprint();
+    const Span heights = this->heights();
+    detection.box.height = heights.length();
+    detection.box.center.z() = heights.middle();
+    detection.background = isBackground(detection.box);
+    return detection;
+  }
+
+ private:
+  void gather(std::int32_t k) {
+    const auto slot = static_cast<std::size_t>(k);
+    x_.clear(), y_.clear(), z_.clear();
+    lowest_ = 0;
+    for (std::int32_t m = segmentation_.memberBegin[slot - 1]; m < segmentation_.memberBegin[slot];
+         ++m) {
+      const auto i = static_cast<std::size_t>(segmentation_.members[static_cast<std::size_t>(m)]);
+      if (z_.empty() || points_.z[i] < points_.z[lowest_]) lowest_ = i;
+      x_.push_back(points_.x[i]), y_.push_back(points_.y[i]), z_.push_back(points_.z[i]);
+    }
+  }
+
+  Box footprint() {
+    const Span x = span(x_), y = span(y_);
+    Box box;
+    box.center = {x.middle(), y.middle(), 0.0};
+    box.length = x.length(), box.width = y.length();
+    const double side = std::max(box.length, box.width);
+    const bool fit = options_.mode == BoxMode::LShape && side >= options_.lShapeMinSide &&
+                     side <= options_.lShapeMaxSide &&
+                     x_.size() >= static_cast<std::size_t>(options_.lShapePoints);
+    return fit ? orientedFootprint(fitLShape(x_, y_)) : box;
+  }
+
+  Box orientedFootprint(double yaw) {
+    const double c = std::cos(yaw), s = std::sin(yaw);
+    const auto cf = static_cast<float>(c), sf = static_cast<float>(s);
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      const float along = cf * x_[i] + sf * y_[i];
+      y_[i] = cf * y_[i] - sf * x_[i];
+      x_[i] = along;
+    }
+    const Span along = span(x_), across = span(y_);
+    Box box;
+    box.center = {c * along.middle() - s * across.middle(),
+                  s * along.middle() + c * across.middle(), 0.0};
+    box.yaw = yaw, box.length = along.length(), box.width = across.length();
+    if (box.width > box.length) {
+      std::swap(box.length, box.width);
+      box.yaw -= M_PI / 2;
+    }
+    return box;
+  }
+
+  Span heights() {
+    Span result = span(z_);
+    const float floor = groundBelow();
+    const float gap = result.low - floor;
+    if (gap > 0.0f && gap <= static_cast<float>(options_.floorGap)) result.low = floor;
+    return result;
+  }
+
+  /// Height above ground of the lowest point, NaN where it is not known.
+  float clearance() const {
+    return lowest_ < segmentation_.heightAboveGround.size()
+               ? segmentation_.heightAboveGround[lowest_]
+               : std::numeric_limits<float>::quiet_NaN();
+  }
+  float groundBelow() const { return points_.z[lowest_] - clearance(); }
+
+  bool isBackground(const Box& box) const {
+    const bool large = std::max(box.length, box.width) > options_.maxExtent;
+    const bool tall = box.height > options_.maxHeight;
+    const bool floating = clearance() > static_cast<float>(options_.maxClearance);
+    return large || floating || (tall && box.length * box.width > options_.maxFootprint);
+  }
+
+  /// Interval that the values fill, without the share that is trimmed at either end.
+  Span span(const std::vector<float>& values) {
+    const std::size_t n = values.size();
+    const auto cut = static_cast<std::ptrdiff_t>(options_.trim * static_cast<double>(n));
+    if (cut == 0 || n <= static_cast<std::size_t>(options_.trimPoints)) {
+      const auto [low, high] = std::minmax_element(values.begin(), values.end());
+      return {*low, *high};
+    }
+    sorted_ = values;
+    return {quantile(cut), quantile(static_cast<std::ptrdiff_t>(n) - 1 - cut)};
+  }
+
+  float quantile(std::ptrdiff_t rank) {
+    std::nth_element(sorted_.begin(), sorted_.begin() + rank, sorted_.end());
+    return sorted_[static_cast<std::size_t>(rank)];
+  }
+
+  const LevelPoints& points_;
+  const Segmentation& segmentation_;
+  const BoxOptions& options_;
+  std::vector<float> x_, y_, z_, sorted_;
+  std::size_t lowest_ = 0;
+};
+
+}  // namespace
+
+void detectInstances(const LevelPoints& points, const Segmentation& segmentation,
+                     const Eigen::Vector3d& sensorPosition, const BoxOptions& options,
+                     std::vector<Detection>& result) {
+  options.check();
+  InstanceBoxer boxer(points, segmentation, options);
+  result.clear();
+  for (std::int32_t k = 1; k <= segmentation.instanceCount; ++k) {
+    result.push_back(boxer.detect(k));
+    result.back().box.center += sensorPosition;
+  }
+}
+
+}  // namespace toss
