@@ -19,6 +19,11 @@ const std::vector<Scene>& allScenes() {
       {{"crossing", "small: a box-shaped car crosses, a person walks; parked car, wall", "VLP-16",
         30},
        buildCrossing},
+      {{"junction",
+        "stop and go at a light: queues, a bus, trucks, many vehicles on the same lanes, people "
+        "over the crossings",
+        "HDL-64E", 320},
+       buildJunction},
   };
   return scenes;
 }

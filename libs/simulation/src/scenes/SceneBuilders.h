@@ -9,5 +9,6 @@ class RandomStream;
 // One function per scene, each in the file of its name.
 void buildStreet(World& world, RandomStream& random);
 void buildCrossing(World& world, RandomStream& random);
+void buildJunction(World& world, RandomStream& random);
 
 }  // namespace toss::simulation
