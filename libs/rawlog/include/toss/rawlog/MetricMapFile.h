@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/mapping/VoxelMap.h>
+
+#include <filesystem>
+#include <vector>
+
+namespace toss {
+
+/// Writes the points as one gz-serialized mrpt::maps::CPointsMapXYZI, the form in which MRPT's
+/// programs take a point map. Throws UserError where the file can not be written.
+void writeMetricMap(const std::filesystem::path& file, const std::vector<MapPoint>& points);
+
+/// Reads the first object of the file, which must be a point map of MRPT; intensity 0 where its
+/// class has none. Throws UserError for anything else.
+std::vector<MapPoint> readMetricMap(const std::filesystem::path& file);
+
+}  // namespace toss

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <mrpt/io/CStream.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace toss {
+
+/// A file to write to, plain or gz. MRPT's own streams lose the errors of a full disk; this one
+/// throws a UserError for each, at the latest from close().
+class OutputStream : public mrpt::io::CStream {
+ public:
+  enum class Format { Plain, Gz };
+
+  /// `file`: where the bytes go. `shownAs`: the name that errors give, for files that are written
+  /// under a temporary name. gz uses the fastest level: a higher one gains little on floats.
+  OutputStream(const std::filesystem::path& file, std::string shownAs, Format format);
+  ~OutputStream() override;
+
+  std::size_t Write(const void* buffer, std::size_t count) override;
+  /// Plain files only, from the beginning only; std::logic_error otherwise.
+  std::uint64_t Seek(std::int64_t offset, TSeekOrigin origin = sFromBeginning) override;
+  /// Writes out what is buffered and closes the file.
+  void close();
+
+  /// Not for reading: throws std::logic_error.
+  std::size_t Read(void* buffer, std::size_t count) override;
+  /// Bytes written so far, before compression.
+  std::uint64_t getTotalBytesCount() const override { return position_; }
+  std::uint64_t getPosition() const override { return position_; }
+  std::string getStreamDescription() const override { return shownAs_; }
+
+ private:
+  struct Handle;
+  [[noreturn]] void fail(int errorNumber) const;
+
+  std::string shownAs_;
+  std::unique_ptr<Handle> handle_;
+  std::uint64_t position_ = 0;
+};
+
+}  // namespace toss

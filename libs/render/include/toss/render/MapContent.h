@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/mapping/VoxelMap.h>
+#include <toss/pipeline/ScanLabels.h>
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace toss {
+
+/// The way of one moving trace.
+struct TrackPath {
+  TrackId track = 0;
+  /// Its box in each scan in which it moved, in order of time, map frame [m].
+  std::vector<Box> boxes;
+};
+
+/// Gathers the ways of the moving traces from the labels of one scan after the other.
+class TrackPathCollector {
+ public:
+  void add(const ScanLabels& labels);
+  /// By ascending number of the trace.
+  std::vector<TrackPath> paths() const;
+
+ private:
+  std::map<TrackId, TrackPath> paths_;
+};
+
+/// What pictures and scenes of a run show; what is empty is left out. Map frame, [m].
+struct MapContent {
+  /// Name of the input, for titles.
+  std::string name;
+  std::vector<MapPoint> staticPoints;
+  /// Returns taken out as moving; of long runs a PointSample.
+  std::vector<MapPoint> movingPoints;
+  /// Positions of the sensor, in order of time.
+  std::vector<Eigen::Vector3d> trajectory;
+  std::vector<TrackPath> tracks;
+};
+
+/// Puts together what is given to `toss snapshot`: point files (all static), and folders that
+/// `toss map` has written (static_map.ply, moving_points.ply and tracks.csv, as far as they are
+/// there). At most `limit` moving points are kept. Throws UserError for anything else.
+MapContent readMapContent(const std::vector<std::filesystem::path>& inputs, std::size_t limit);
+
+}  // namespace toss

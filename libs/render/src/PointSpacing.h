@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace toss {
+
+/// How far neighbouring points lie apart [m]: the median over a few points of the distance to the
+/// nearest other one; 0.1 for fewer than two points.
+double pointSpacing(const std::vector<Eigen::Vector3f>& points);
+
+}  // namespace toss
