@@ -20,7 +20,8 @@ bool hasLeftItsPlace(const std::vector<TimedBox>& boxes, double demanded) {
   return apart.head<2>().norm() > 0.5 * demanded;
 }
 
-bool movesByTests(const MotionEvidence& evidence, const MotionOptions& options) {
+bool movesByTests(const MotionEvidence& evidence, const MotionOptions& options,
+                  double jitterFactor) {
   const std::vector<TimedBox>& boxes = evidence.recent();
   if (static_cast<int>(boxes.size()) < options.minHits ||
       boxes.back().time - boxes.front().time < options.minAge ||
@@ -32,24 +33,28 @@ bool movesByTests(const MotionEvidence& evidence, const MotionOptions& options) 
   if (!hasLeftItsPlace(boxes, demanded)) return false;
   const FaceMotion motion = fitFaceMotion(boxes);
   return motion.displacement > demanded &&
-         motion.displacement > options.jitterFactor * (motion.scatter + kRangeNoise) &&
+         motion.displacement > jitterFactor * (motion.scatter + kRangeNoise) &&
          motion.displacement >= options.minPathEfficiency * evidence.recentPathLength() &&
          motion.lagging >= options.faceShare * demanded &&
          motion.lagging >= options.faceRatio * motion.leading;
 }
 
+bool moves(const MotionEvidence& evidence, const MotionOptions& options, double jitterFactor) {
+  return options.rule == MotionRule::AutoMos ? movesByAutoMos(evidence)
+                                             : movesByTests(evidence, options, jitterFactor);
+}
+
 bool isStrong(const MotionEvidence& evidence, const MotionOptions& options) {
   return evidence.hits() >= options.strongHits &&
          evidence.excursion() >= std::max(options.strongExtentFactor * evidence.medianExtent(),
-                                          options.strongExcursion);
+                                          options.strongExcursion) &&
+         moves(evidence, options, options.strongJitterFactor);
 }
 
 }  // namespace
 
 MotionClass classifyMotion(const MotionEvidence& evidence, const MotionOptions& options) {
-  const bool moves = options.rule == MotionRule::AutoMos ? movesByAutoMos(evidence)
-                                                         : movesByTests(evidence, options);
-  if (!moves) return MotionClass::Static;
+  if (!moves(evidence, options, options.jitterFactor)) return MotionClass::Static;
   return isStrong(evidence, options) ? MotionClass::Strong : MotionClass::Weak;
 }
 

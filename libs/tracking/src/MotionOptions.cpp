@@ -8,6 +8,10 @@ void visitTests(MotionOptions& options, OptionVisitor& visitor) {
   visitor.real({"window", "s", "time the tests look back; larger finds slower objects",
                 "measured on real scans"},
                options.window, 0.1, 1000.0);
+  visitor.real(
+      {"strong_jitter_factor", "", "displacement of strong traces, in scatters of the faces",
+       "measured on real scans"},
+      options.strongJitterFactor, 0.0, 1000.0);
   visitor.integer({"min_hits", "scans", "detections in the window before a trace can be dynamic",
                    "measured on real scans; spec section 6: 4"},
                   options.minHits, 3, 1000);

@@ -16,8 +16,8 @@ bool mayStartTrack(const Detection& detection, const LifecycleOptions& options) 
 }
 
 bool hasEnded(const Track& track, const LifecycleOptions& options) {
-  const bool lifelong = options.rule == LifeRule::AutoMos;
-  return (lifelong ? track.totalMisses : track.misses) >= options.maxMisses;
+  if (options.rule == LifeRule::AutoMos) return track.totalMisses >= options.maxMisses;
+  return track.misses >= (isDynamic(track.motion) ? options.maxMissesMoving : options.maxMisses);
 }
 
 }  // namespace toss

@@ -95,6 +95,10 @@ void visitLifecycle(LifecycleOptions& options, OptionVisitor& visitor) {
   visitor.integer(
       {"max_misses", "scans", "scans without detection that end a trace", "spec section 5.4"},
       options.maxMisses, 1, 1000);
+  visitor.integer({"max_misses_moving", "scans",
+                   "scans without detection that end a dynamic trace (life = consecutive)",
+                   "measured on real scans"},
+                  options.maxMissesMoving, 1, 1000);
   visitor.integer({"min_match_points", "returns", "fewest returns of a box that continues a trace",
                    "Auto-MOS, spec section 4.3"},
                   options.minMatchPoints, 1, 1000000);

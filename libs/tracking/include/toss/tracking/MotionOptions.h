@@ -35,8 +35,8 @@ struct MotionOptions : Options {
   /// lagging one by faceRatio times the leading one.
   double faceShare = 0.5, faceRatio = 0.75;
   /// Strong: excursion of at least strongExtentFactor median longer edges and strongExcursion [m],
-  /// and strongHits detections.
-  double strongExtentFactor = 2.0, strongExcursion = 3.0;
+  /// strongHits detections, and test b with strongJitterFactor.
+  double strongExtentFactor = 2.0, strongExcursion = 3.0, strongJitterFactor = 15.0;
   int strongHits = 8;
 
   const char* section() const override { return "motion"; }
