@@ -92,7 +92,10 @@ void RunScorer::addScanAgain(const PosedScan& scan, const std::vector<std::uint3
   transformScan(scan, origin_, geometry_);
   labels_.run = readLabels(labelPath(files_.labels, scan.index), truth.size());
   std::vector<std::uint16_t> kept(truth.size());
-  for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = isKept(labels_.run[i]);
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const bool annotated = !survey_.ignoreUnlabelled || label::semantic(truth[i]) != 0;
+    kept[i] = annotated && isKept(labels_.run[i]);
+  }
   orderByCell(geometry_.cloud, options_.voxelSize, order_);
   selectMembers(order_, kept, 1, keptOrder_);
   labelRemoval_.addKept(keptOrder_);
