@@ -2,7 +2,8 @@
 #include <toss/evaluation/Evaluation.h>
 #include <toss/evaluation/EvaluationOptions.h>
 #include <toss/evaluation/EvaluationReport.h>
-#include <toss/evaluation/MapErrors.h>
+#include <toss/evaluation/PreservationRejection.h>
+#include <toss/geometry/OptionSections.h>
 #include <toss/rawlog/AtomicFile.h>
 #include <toss/rawlog/InputOptions.h>
 #include <toss/render/Snapshots.h>
@@ -36,7 +37,7 @@ void drawErrors(const EvalRequest& request, const MapErrors& errors) {
 void evaluate(const EvalRequest& request, bool quiet) {
   EvaluationOptions options;
   InputOptions input;
-  if (request.labelledOnly) options.set("labelled_only", "true");
+  if (request.labelledOnly) options.set("unlabelled", "ignore");
   for (const std::string& setting : request.settings) setOption(setting, {&options, &input});
   Progress progress("scoring", "%", quiet);
   MapErrors errors;

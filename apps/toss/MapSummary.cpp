@@ -51,9 +51,8 @@ void writeSummary(const MapRequest& request, RunConfiguration& configuration,
   json["program"] = "toss";
   json["version"] = TOSS_VERSION;
   json["input"] = {{"name", request.input.filename().string()}, {"bytes", sizeOf(request.input)}};
-  json["scans"] = {{"mapped", counts.scans},
-                   {"skipped_for_pose", input.skippedForPose},
-                   {"empty", input.empty}};
+  json["scans"] = {
+      {"mapped", counts.scans}, {"skipped_for_pose", input.skippedForPose}, {"empty", input.empty}};
   json["points"] = {{"read", counts.points},
                     {"invalid", counts.invalid},
                     {"moving", counts.moving},

@@ -8,9 +8,9 @@
 namespace toss {
 
 void SensorOptions::visit(OptionVisitor& v) {
-  v.string({"model", "", "Model of the sensor, such as HDL-64E, or auto to find out",
-            "config/sensors"},
-           model);
+  v.string(
+      {"model", "", "Model of the sensor, such as HDL-64E, or auto to find out", "config/sensors"},
+      model);
 }
 
 std::vector<Options*> RunConfiguration::sections() {

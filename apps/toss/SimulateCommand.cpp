@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <toss/geometry/Error.h>
 #include <toss/simulation/SceneCatalogue.h>
 #include <toss/simulation/SimulateTo.h>
 
+#include <cstdint>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -15,7 +17,7 @@ namespace {
 struct SimulateRequest {
   SimulationOptions simulation;
   std::filesystem::path output;
-  SimulationFormat format = SimulationFormat::Rawlog;
+  LogFormat format = LogFormat::Rawlog;
   bool list = false, raw = false;
 };
 
@@ -32,9 +34,13 @@ void simulate(SimulateRequest& request, bool quiet) {
                     "see toss simulate --list and toss simulate --help");
   request.simulation.compensated = !request.raw;
   Progress progress("simulating", "scans", quiet);
-  simulateTo(request.simulation, request.output, request.format, [&](int done, int all) {
-    progress.update(static_cast<std::uint64_t>(done), static_cast<double>(done) / all);
-  });
+  const SimulatedLog log =
+      simulateTo(request.output, request.format, request.simulation, [&](int done, int all) {
+        progress.update(static_cast<std::uint64_t>(done), static_cast<double>(done) / all);
+      });
+  if (quiet) return;
+  std::cout << request.output.string() << ": " << log.scans << " scans, " << log.points
+            << " returns, " << log.movingPoints << " of them on " << log.movers << " movers\n";
 }
 
 }  // namespace
@@ -42,8 +48,8 @@ void simulate(SimulateRequest& request, bool quiet) {
 void addSimulateCommand(CLI::App& program, const Verbosity& verbosity) {
   auto request = std::make_shared<SimulateRequest>();
   request->simulation.scene.clear();
-  const std::map<std::string, SimulationFormat> formats = {{"rawlog", SimulationFormat::Rawlog},
-                                                           {"kitti", SimulationFormat::Kitti}};
+  const std::map<std::string, LogFormat> formats = {{"rawlog", LogFormat::Rawlog},
+                                                    {"kitti", LogFormat::Kitti}};
   CLI::App* command = program.add_subcommand("simulate", "Make a labelled synthetic log");
   command->footer("Example: toss simulate street street.rawlog --frames 60 --seed 1");
   command->add_option("SCENE", request->simulation.scene, "Name of a scene, see --list");
