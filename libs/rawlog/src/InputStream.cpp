@@ -41,6 +41,8 @@ struct InputStream::Inflater {
   z_stream stream{};
   std::vector<unsigned char> buffer;
   bool memberEnded = false;
+  /// Members before the present one.
+  int membersEnded = 0;
 };
 
 InputStream::InputStream(const std::filesystem::path& file)
@@ -80,6 +82,7 @@ bool InputStream::readCompressed() {
   if (z.avail_in > 0 && inflater_->memberEnded) {
     inflateReset(&z);
     inflater_->memberEnded = false;
+    ++inflater_->membersEnded;
   }
   return z.avail_in > 0;
 }
@@ -95,7 +98,10 @@ std::size_t InputStream::inflateInto(char* target, std::size_t count) {
     done += step - z.avail_out;
     inflater_->memberEnded = result == Z_STREAM_END;
     if (result != Z_OK && result != Z_STREAM_END && result != Z_BUF_ERROR) {
-      damage_ = std::string("its gz data is corrupt (") + (z.msg ? z.msg : "bad data") + ")";
+      const bool afterMember = inflater_->membersEnded > 0 && z.total_out == 0;
+      damage_ = afterMember
+                    ? "something that is not gz data follows its gz data"
+                    : std::string("its gz data is corrupt (") + (z.msg ? z.msg : "bad data") + ")";
       break;
     }
   }

@@ -24,6 +24,8 @@ class PoseBuffer {
   std::optional<Eigen::Isometry3d> at(Ticks time) const;
   /// Whether a pose that makes at(time) succeed may still come, poses coming in order of time.
   bool mayStillCome(Ticks time) const;
+  /// By ascending time.
+  const std::map<Ticks, Eigen::Isometry3d>& all() const { return poses_; }
   /// Drops poses that are of no use for `time` and later.
   void forgetBefore(Ticks time);
 

@@ -38,6 +38,8 @@ class RawlogPoses {
   /// To be told of scans that were skipped, for noticing poses that come too late for them.
   void scanSkipped(Ticks scanTime) { lastSkipped_ = scanTime + offset_; }
 
+  /// All poses that were not forgotten.
+  const PoseBuffer& buffer() const { return buffer_; }
   std::uint64_t count() const { return count_; }
   bool sawOdometry() const { return sawOdometry_; }
   bool sawPoses() const { return sawPoses_; }
