@@ -56,9 +56,10 @@ void visitPlanes(GroundOptions& options, OptionVisitor& visitor) {
        "TRAVEL, spec 2.5"},
       options.outlierDepth, 0.01, 10.0);
   visitor.real({"min_buried_path", "m",
-                "Length that a beam must have run under the ground for its return to be below it: "
-                "shorter ones end in ditches and beyond edges. 0 believes in no ditch.",
-                "0 = TRAVEL"},
+                "Length that a beam must have run under the ground, having passed through ground "
+                "that others meet, for its return to be below it; shorter ones end in ditches and "
+                "beyond edges.",
+                "measured, spec 2.8"},
                options.minBuriedPath, 0.0, 100.0);
   visitor.real({"th_normal", "",
                 "Least vertical component of a plane's normal: cosine of the steepest slope that "
@@ -108,6 +109,19 @@ void visitTerrain(GroundOptions& options, OptionVisitor& visitor) {
                   options.subdivision, 1, 16);
 }
 
+void visitContact(GroundOptions& options, OptionVisitor& visitor) {
+  visitor.real({"contact_height", "m",
+                "Height over the ground above which a return can be the foot or tyre of what the "
+                "beams right above it meet. A smaller value gives more to objects.",
+                "measured, spec 11.1"},
+               options.contactHeight, 0.0, 1.0);
+  visitor.real({"contact_slope", "",
+                "Least slope (rise over run) of the line from such a return up to its object; 0 "
+                "leaves all of them ground.",
+                "measured; 0 = TRAVEL"},
+               options.contactSlope, 0.0, 100.0);
+}
+
 }  // namespace
 
 void GroundOptions::visit(OptionVisitor& visitor) {
@@ -115,6 +129,7 @@ void GroundOptions::visit(OptionVisitor& visitor) {
   visitPlanes(*this, visitor);
   visitSearch(*this, visitor);
   visitTerrain(*this, visitor);
+  visitContact(*this, visitor);
 }
 
 }  // namespace toss

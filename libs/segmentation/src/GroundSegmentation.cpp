@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <toss/segmentation/ContactPoints.h>
 #include <toss/segmentation/GroundSegmentation.h>
 #include <toss/segmentation/TerrainFit.h>
 #include <toss/segmentation/TraversabilitySearch.h>
 
-#include <cmath>
 #include <limits>
 
 #include "NodeSorting.h"
@@ -15,6 +15,8 @@ constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 /// Distance from the surface up to which returns take part in the first and in later rounds [m]:
 /// the planes of whole triangles are off by more than the model that replaces them.
 constexpr float kFirstGate = 0.4f, kGate = 0.2f;
+/// Ground returns that make a triangle ground which a beam can't pass through.
+constexpr std::int32_t kGroundReturns = 3;
 
 }  // namespace
 
@@ -32,8 +34,13 @@ struct GroundSegmentation::Implementation {
   void fitNodes();
   void fitTerrain();
   void copyToFine();
-  void labelPoints(Segmentation& segmentation) const;
-  PointClass classOf(float height, float x, float y, float z, const GroundNode& node) const;
+  void labelNode(int place, Segmentation& segmentation);
+  void labelPoints(const LevelPoints& points, Segmentation& segmentation);
+
+  struct BuriedReturn {
+    std::int32_t point;
+    float shareAbove;
+  };
 
   GroundOptions options;
   int subdivision;
@@ -42,6 +49,9 @@ struct GroundSegmentation::Implementation {
   NodeSorting sorted;
   TerrainFit terrain;
   VertexHeights heights, fineHeights;
+  /// Ground returns in each fine node, and returns that may lie below the ground.
+  std::vector<std::int32_t> groundReturns;
+  std::vector<BuriedReturn> buried;
 };
 
 void GroundSegmentation::Implementation::fitNodes() {
@@ -84,30 +94,47 @@ void GroundSegmentation::Implementation::fitTerrain() {
   }
 }
 
-PointClass GroundSegmentation::Implementation::classOf(float height, float x, float y, float z,
-                                                       const GroundNode& node) const {
-  if (!(height < static_cast<float>(options.groundHeight))) return PointClass::Unclustered;
-  if (height >= -static_cast<float>(options.outlierDepth)) return PointClass::Ground;
-  // A plane that is seen from underneath is no ground that could hide anything.
-  if (node.offset <= 0.0f) return PointClass::Unclustered;
-  // Length of the beam's last part that runs under the plane; the sensor is `offset` above it.
-  const float under = std::sqrt(x * x + y * y + z * z) * height / (height - node.offset);
-  return under >= static_cast<float>(options.minBuriedPath) ? PointClass::BelowGround
-                                                            : PointClass::Unclustered;
+/// Classes of the returns of one fine node. Those that may lie below the ground are noted.
+void GroundSegmentation::Implementation::labelNode(int place, Segmentation& segmentation) {
+  const GroundNode& node = fineNodes[static_cast<std::size_t>(sorted.fineAtPlace(place))];
+  const auto above = static_cast<float>(options.groundHeight);
+  const auto below = -static_cast<float>(options.outlierDepth);
+  const NodePoints points = sorted.atPlace(place);
+  const std::int32_t* const original = sorted.originalAtPlace(place);
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const float height = node.heightOf(points.x[i], points.y[i], points.z[i]);
+    const auto point = static_cast<std::size_t>(original[i]);
+    segmentation.heightAboveGround[point] = height;
+    if (!(height < above)) continue;
+    if (height >= below) {
+      segmentation.pointClass[point] = PointClass::Ground;
+      ++groundReturns[static_cast<std::size_t>(sorted.fineAtPlace(place))];
+    } else if (node.offset > 0.0f) {
+      // The sensor is `offset` above the plane, so this share of the beam runs above it.
+      buried.push_back({original[i], node.offset / (node.offset - height)});
+    }
+  }
 }
 
-void GroundSegmentation::Implementation::labelPoints(Segmentation& segmentation) const {
+void GroundSegmentation::Implementation::labelPoints(const LevelPoints& points,
+                                                     Segmentation& segmentation) {
+  groundReturns.assign(fineNodes.size(), 0);
+  buried.clear();
   for (int place = 0; place < sorted.places(); ++place) {
-    const GroundNode& node = fineNodes[static_cast<std::size_t>(sorted.fineAtPlace(place))];
-    if (!node.isGround()) continue;
-    const NodePoints points = sorted.atPlace(place);
-    const std::int32_t* const original = sorted.originalAtPlace(place);
-    for (std::size_t i = 0; i < points.count; ++i) {
-      const float x = points.x[i], y = points.y[i], z = points.z[i];
-      const float height = node.heightOf(x, y, z);
-      const auto point = static_cast<std::size_t>(original[i]);
-      segmentation.heightAboveGround[point] = height;
-      segmentation.pointClass[point] = classOf(height, x, y, z, node);
+    if (fineNodes[static_cast<std::size_t>(sorted.fineAtPlace(place))].isGround()) {
+      labelNode(place, segmentation);
+    }
+  }
+  // A beam that has passed through ground which other beams have met was reflected. Where there is
+  // no such ground, it has gone down into a ditch or beyond an edge.
+  for (const BuriedReturn& back : buried) {
+    const auto point = static_cast<std::size_t>(back.point);
+    const Eigen::Vector3f beam(points.x[point], points.y[point], points.z[point]);
+    const float under = (1.0f - back.shareAbove) * beam.norm();
+    if (under < static_cast<float>(options.minBuriedPath)) continue;
+    const int node = fineField.nodeOf(beam.x() * back.shareAbove, beam.y() * back.shareAbove);
+    if (node >= 0 && groundReturns[static_cast<std::size_t>(node)] >= kGroundReturns) {
+      segmentation.pointClass[point] = PointClass::BelowGround;
     }
   }
 }
@@ -119,7 +146,7 @@ GroundSegmentation::GroundSegmentation(const GroundOptions& options) {
 GroundSegmentation::~GroundSegmentation() = default;
 GroundSegmentation::GroundSegmentation(GroundSegmentation&&) noexcept = default;
 
-void GroundSegmentation::segment(const LevelPoints& points, const RangeImage&,
+void GroundSegmentation::segment(const LevelPoints& points, const RangeImage& image,
                                  Segmentation& segmentation) {
   Implementation& stage = *implementation_;
   segmentation.heightAboveGround.assign(points.x.size(), kUnknown);
@@ -135,7 +162,8 @@ void GroundSegmentation::segment(const LevelPoints& points, const RangeImage&,
   } else {
     stage.fineNodes = stage.nodes;
   }
-  stage.labelPoints(segmentation);
+  stage.labelPoints(points, segmentation);
+  releaseContactPoints(points, image, stage.options, segmentation);
 }
 
 const TriGridField& GroundSegmentation::field() const {

@@ -59,6 +59,10 @@ struct GroundOptions : Options {
   int subdivision = 4;
   /// Length of a beam under the ground [m] from which its return is BelowGround; less is a ditch.
   double minBuriedPath = 1.5;
+  /// Height over the ground [m] above which a return can belong to the object that stands on it.
+  double contactHeight = 0.03;
+  /// Least slope (rise over run) from such a return to the object above it; 0 leaves it ground.
+  double contactSlope = 1.0;
 
   const char* section() const override { return "ground"; }
   void visit(OptionVisitor& visitor) override;
