@@ -5,6 +5,7 @@
 #include <toss/simulation/SceneCatalogue.h>
 #include <toss/simulation/Simulator.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -108,17 +109,26 @@ TEST(Simulator, WhatMovesLaterInTheLogIsMovingFromTheFirstScan) {
   EXPECT_GT(standing, 0);
 }
 
-/// Rings found by the rule for KITTI's order: a drop of the azimuth by more than half a turn.
-int ringsByOrder(const PointCloud& points) {
-  int rings = 1;
+/// Where the rule for KITTI's order sees a new ring: a drop of the azimuth by more than half a
+/// turn.
+std::vector<std::size_t> ringStartsByOrder(const PointCloud& points) {
+  std::vector<std::size_t> starts;
   double previous = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     double azimuth = std::atan2(points.y[i], points.x[i]);
     if (azimuth < 0.0) azimuth += 2.0 * M_PI;
-    if (previous - azimuth > M_PI) ++rings;
+    if (previous - azimuth > M_PI) starts.push_back(i);
     previous = azimuth;
   }
-  return rings;
+  return starts;
+}
+
+std::vector<std::size_t> ringStarts(const PointCloud& points) {
+  std::vector<std::size_t> starts;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (points.ring[i] != points.ring[i - 1]) starts.push_back(i);
+  }
+  return starts;
 }
 
 class EveryScene : public testing::TestWithParam<std::string> {};
@@ -126,11 +136,9 @@ class EveryScene : public testing::TestWithParam<std::string> {};
 TEST_P(EveryScene, ShowsMoversAndKeepsTheOrderOfRings) {
   SimulationOptions options;
   options.scene = GetParam();
-  const int frames = sceneByName(GetParam()).frames;
-  options.frames = frames;
   Simulator simulator(options);
   SimulatedScan simulated;
-  std::size_t movers = 0;
+  std::ptrdiff_t movers = 0;
   for (int scan = 0; scan < 2; ++scan) {
     ASSERT_TRUE(simulator.next(simulated));
     const PointCloud& points = simulated.scan.points;
@@ -139,13 +147,16 @@ TEST_P(EveryScene, ShowsMoversAndKeepsTheOrderOfRings) {
     ASSERT_EQ(points.size(), points.ring.size());
     ASSERT_EQ(points.size(), points.time.size());
     EXPECT_TRUE(std::is_sorted(points.ring.begin(), points.ring.end()));
-    int rings = 1;
-    for (std::size_t i = 1; i < points.size(); ++i) rings += points.ring[i] != points.ring[i - 1];
-    EXPECT_EQ(ringsByOrder(points), rings);
-    movers = 0;
-    for (const GroundTruthBox& box : simulated.boxes) movers += box.moving;
+    const std::vector<std::size_t> byOrder = ringStartsByOrder(points), starts = ringStarts(points);
+    // Rings of an upper beam that only meets a tree or two can not be told by their azimuths.
+    EXPECT_TRUE(std::includes(starts.begin(), starts.end(), byOrder.begin(), byOrder.end()));
+    if (simulator.sensorName() == "HDL-64E") {
+      EXPECT_EQ(byOrder.size(), 63u);
+    }
+    movers = std::count_if(simulated.boxes.begin(), simulated.boxes.end(),
+                           [](const GroundTruthBox& box) { return box.moving; });
   }
-  EXPECT_GT(movers, 0u);
+  EXPECT_GT(movers, 0);
 }
 
 std::vector<std::string> sceneNames() {

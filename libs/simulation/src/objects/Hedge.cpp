@@ -42,6 +42,11 @@ Mesh makeBush(RandomStream& random, double radius, double height) {
   return mesh;
 }
 
+Mesh makeAnyBush(RandomStream& random, double maxRadius, double maxHeight) {
+  const double radius = maxRadius * random.uniform(0.4, 1.0);
+  return makeBush(random, radius, maxHeight * random.uniform(0.35, 1.0));
+}
+
 Mesh makeTallGrass(RandomStream& random, double radius, int tufts) {
   Mesh mesh;
   for (int tuft = 0; tuft < tufts; ++tuft) {
@@ -49,8 +54,8 @@ Mesh makeTallGrass(RandomStream& random, double radius, int tufts) {
     const double far = radius * std::sqrt(random.uniform(0.0, 1.0));
     const Vector3d root(far * std::cos(angle), far * std::sin(angle), -0.05);
     for (int blade = 0; blade < 5; ++blade) {
-      const Vector3d tip = root + Vector3d(random.uniform(-0.15, 0.15), random.uniform(-0.15, 0.15),
-                                           random.uniform(0.2, 0.55));
+      const Vector3d tip = root + Vector3d{random.uniform(-0.15, 0.15), random.uniform(-0.15, 0.15),
+                                           random.uniform(0.2, 0.55)};
       mesh.addTriangle(root, root + Vector3d(0.03, 0.02, 0.0), tip,
                        {semantics::kVegetation, Material::Leaf});
     }

@@ -96,7 +96,8 @@ Figure makePedestrian(double height, double stride) {
 }
 
 Figure makePedestrian(RandomStream& random) {
-  return makePedestrian(random.uniform(1.5, 1.9), random.uniform(1.1, 1.5));
+  const double height = random.uniform(1.5, 1.9);
+  return makePedestrian(height, random.uniform(1.1, 1.5));
 }
 
 }  // namespace toss::simulation

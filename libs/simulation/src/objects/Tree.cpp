@@ -28,8 +28,8 @@ Mesh makeTree(RandomStream& random, double height, int leaves) {
     mesh.addBar(fork - Vector3d(0, 0, 0.1 * height * random.uniform(0, 1)), end, 0.45 * radius,
                 0.02, kBark, 5);
     for (int leaf = 0; leaf < leaves / kBoughs; ++leaf) {
-      const Vector3d spread(random.gaussian(0.0, 0.35 * crown), random.gaussian(0.0, 0.35 * crown),
-                            random.gaussian(0.0, 0.12 * height));
+      const Vector3d spread{random.gaussian(0.0, 0.35 * crown), random.gaussian(0.0, 0.35 * crown),
+                            random.gaussian(0.0, 0.12 * height)};
       addLeaf(mesh, random, 0.35 * middle + 0.65 * end + spread, 0.16);
     }
   }

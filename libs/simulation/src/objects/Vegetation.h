@@ -18,6 +18,9 @@ Mesh makeHedge(RandomStream& random, double length, double width = 0.8, double h
 /// A round bush. [m]
 Mesh makeBush(RandomStream& random, double radius, double height);
 
+/// A bush of random size up to the given one. [m]
+Mesh makeAnyBush(RandomStream& random, double maxRadius, double maxHeight);
+
 /// Tufts of tall grass scattered over a disc. [m]
 Mesh makeTallGrass(RandomStream& random, double radius, int tufts);
 

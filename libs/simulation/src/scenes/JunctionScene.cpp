@@ -49,7 +49,7 @@ void addCorners(World& world, RandomStream& random) {
 void addQueue(World& world, RandomStream& random) {
   world.addMover(makeCar(random), {Path({{kStopLine - 3.0, -1.75}, {200.0, -1.75}}),
                                    waitUntil(kGreen + 0.5, 9.0), 0.0});
-  world.addMover(makeBus(), {Path({{kStopLine - 7.0, -5.25}, {200.0, -5.25}}),
+  world.addMover(makeBus(), {Path({{kStopLine - 7.0, -4.95}, {200.0, -4.95}}),
                              waitUntil(kGreen + 1.5, 7.0), 0.0});
   world.addMover(makeCar(random), {Path({{-60.0, -5.25}, {-31.0, -5.25}, {200.0, -5.25}}),
                                    stopAndGo(8.0, 5.0, 3.0, kGreen + 4.0), 0.0});
@@ -58,8 +58,8 @@ void addQueue(World& world, RandomStream& random) {
   // Oncoming: two wait as well, the second turns left behind the first.
   world.addMover(makeCar(random),
                  {Path({{14.0, 1.75}, {-200.0, 1.75}}), waitUntil(kGreen + 0.8, 9.0), 0.0});
-  world.addMover(makeCar(random), {Path({{20.5, 1.75}, {1.75, 1.75}, {1.75, -120.0}}, 8.0),
-                                   waitUntil(kGreen + 2.5, 6.0), 0.0});
+  world.addMover(makeCar(random), {Path({{20.5, 1.75}, {-1.9, 1.75}, {-1.9, -120.0}}, 8.0),
+                                   waitUntil(kGreen + 7.5, 6.0), 0.0});
   world.addMover(makeTruck(),
                  {Path({{16.0, 5.25}, {-200.0, 5.25}}), waitUntil(kGreen + 1.2, 7.0), 0.0});
 }
@@ -82,11 +82,11 @@ void addCrossingTraffic(World& world, RandomStream& random) {
 
 void addPeople(World& world, RandomStream& random) {
   addGroup(world, random, walk(9.2, -9.0, 9.2, 40.0, 1.2), 4);
-  addGroup(world, random, walk(-9.2, -24.0, -9.2, 14.0, 1.3), 3);
-  addWalker(world, random, walk(9.8, 14.0, 9.8, -30.0, 1.0));
+  addGroup(world, random, walk(-9.2, -12.0, -9.2, 40.0, 1.3), 3);
+  addWalker(world, random, walk(9.8, 14.0, 9.8, -30.0, 1.2));
   addWalker(world, random, walk(-40.0, 9.0, 30.0, 9.0, 1.4));
   addWalker(world, random, walk(-12.0, 13.3, -50.0, 13.3, 0.7));
-  world.addMover(makeCyclist(), {Path({{-50.0, -6.4}, {200.0, -6.4}}),
+  world.addMover(makeCyclist(), {Path({{-50.0, -6.72}, {200.0, -6.72}}),
                                  stopAndGo(5.0, 8.0, 2.0, kGreen + 0.3), 0.0});
   world.park(makePedestrian(1.75, 1.2), -8.6, -8.8, 1.0);
   world.place(makeShelter(), -24.0, -9.4, M_PI);
@@ -106,7 +106,7 @@ void buildJunction(World& world, RandomStream& random) {
   addPeople(world, random);
   // Comes up to the light, waits behind the first car, follows it across the junction.
   world.carrier.motion = {
-      Path({{-55.0, -1.75}, {200.0, -1.75}}),
+      Path({{-52.0, -1.75}, {200.0, -1.75}}),
       SpeedProfile({{2.0, 8.0}, {5.5, 0.0}, {kGreen + 1.8, 0.0}, {kGreen + 6.0, 7.0}}), 0.0};
 }
 

@@ -32,9 +32,8 @@ void addHouses(World& world, RandomStream& random, const Row& row, double lowest
   while (along < row.length - 6.0) {
     const double length = std::min(random.uniform(9.0, 24.0), row.length - along);
     const Vector2d p = row.at(along, random.uniform(0.0, 1.0));
-    world.place(
-        makeHouse(random, length, random.uniform(8.0, 11.0), random.uniform(lowest, highest)),
-        p.x(), p.y(), row.yaw);
+    const double depth = random.uniform(8.0, 11.0), height = random.uniform(lowest, highest);
+    world.place(makeHouse(random, length, depth, height), p.x(), p.y(), row.yaw);
     along += length + (random.chance(0.3) ? 0.0 : random.uniform(1.0, 3.0));
   }
 }
@@ -53,11 +52,22 @@ void addParkedCars(World& world, RandomStream& random, const Row& row, double ta
   }
 }
 
+void addParkedCarsBesideX(World& world, RandomStream& random, double from, double to, double y,
+                          const std::vector<double>& openings, double taken) {
+  constexpr double kHalfOpening = 0.8;
+  for (double opening : openings) {
+    if (opening <= from || opening >= to) continue;
+    addParkedCars(world, random, rowBesideX(from, opening - kHalfOpening, y), taken);
+    from = opening + kHalfOpening;
+  }
+  addParkedCars(world, random, rowBesideX(from, to, y), taken);
+}
+
 void addRepeated(World& world, RandomStream& random, const Row& row, double spacing,
                  const std::function<Mesh()>& make, double scatter) {
   for (double along = 0.5 * spacing; along < row.length; along += spacing) {
-    const Vector2d p =
-        row.at(along + random.uniform(-scatter, scatter), 0.3 * random.uniform(-scatter, scatter));
+    const double ahead = random.uniform(-scatter, scatter);
+    const Vector2d p = row.at(along + ahead, 0.3 * random.uniform(-scatter, scatter));
     world.place(make(), p.x(), p.y(), row.yaw);
   }
 }
@@ -98,6 +108,16 @@ void addGroup(World& world, RandomStream& random, const Motion& motion, int coun
     own.path = motion.path.shifted(0.65 * (person % 3) + random.uniform(-0.1, 0.1));
     own.start -= 0.9 * (person / 3) + random.uniform(0.0, 0.3);
     addWalker(world, random, own);
+  }
+}
+
+void addWalkersInLine(World& world, RandomStream& random, const Path& path, double left,
+                      double start, int count, double slowest, double fastest) {
+  const Path own = path.shifted(left);
+  for (int person = 0; person < count; ++person) {
+    const double speed = slowest + (fastest - slowest) * person / count;
+    addWalker(world, random, {own, SpeedProfile::constant(speed), start});
+    start += random.uniform(1.5, 7.0);
   }
 }
 

@@ -26,6 +26,9 @@ void addHouses(World& world, RandomStream& random, const Row& row, double lowest
                double highest = 9.0);
 /// Parked cars with gaps of half a metre, here and there a free place.
 void addParkedCars(World& world, RandomStream& random, const Row& row, double taken = 0.85);
+/// The same beside the x axis at `y`, with room at each of `openings` for people to cross.
+void addParkedCarsBesideX(World& world, RandomStream& random, double from, double to, double y,
+                          const std::vector<double>& openings, double taken = 0.85);
 /// Any mesh made anew at each place, every `spacing` m with some scatter.
 void addRepeated(World& world, RandomStream& random, const Row& row, double spacing,
                  const std::function<Mesh()>& make, double scatter = 0.0);
@@ -40,5 +43,10 @@ Motion walk(const std::vector<Eigen::Vector2d>& waypoints, double speed);
 void addWalker(World& world, RandomStream& random, Motion motion);
 /// `count` people who walk together.
 void addGroup(World& world, RandomStream& random, const Motion& motion, int count);
+
+/// People one after the other along a path, `left` of it: the first at `start`, the next 1.5 to 7 m
+/// ahead and a little faster, so that nobody walks through anybody. [m, m/s]
+void addWalkersInLine(World& world, RandomStream& random, const Path& path, double left,
+                      double start, int count, double slowest, double fastest);
 
 }  // namespace toss::simulation

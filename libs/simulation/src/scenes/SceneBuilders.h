@@ -10,5 +10,12 @@ class RandomStream;
 void buildStreet(World& world, RandomStream& random);
 void buildCrossing(World& world, RandomStream& random);
 void buildJunction(World& world, RandomStream& random);
+void buildUrban(World& world, RandomStream& random);
+void buildHighway(World& world, RandomStream& random);
+void buildResidential(World& world, RandomStream& random);
+void buildPedestrians(World& world, RandomStream& random);
+void buildDuckpond(World& world, RandomStream& random);
+void buildLongStairs(World& world, RandomStream& random);
+void buildSteepHills(World& world, RandomStream& random);
 
 }  // namespace toss::simulation
