@@ -31,8 +31,7 @@ MotionClass TraceBook::finalClass(TrackId track, bool last) const {
   constexpr int kScansForVerdict = 5;
   const Trace* trace = find(track);
   if (trace == nullptr) return MotionClass::Static;
-  if (awaitEvidence_ && !last && trace->scansWithEvidence < kScansForVerdict &&
-      trace->motion != MotionClass::Strong)
+  if (awaitEvidence_ && !last && trace->scansWithEvidence < kScansForVerdict)
     return MotionClass::Static;
   return fuseTrace(trace->motion, trace->all, options_);
 }

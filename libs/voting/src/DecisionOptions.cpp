@@ -10,9 +10,11 @@ void DecisionOptions::visit(OptionVisitor& v) {
          traceFreeShare, 0.0, 1.0);
   v.real({"live_free_share", "", "The same for live labels, from past views alone", "spec 12"},
          liveFreeShare, 0.0, 1.0);
-  v.real(
-      {"veto_hit_share", "", "A weak trace stays if this share of it is measured again", "spec 12"},
-      vetoHitShare, 0.0, 1.0);
+  v.real({"veto_hit_share", "", "A trace stays if at least this share of it is measured again",
+          "spec 12"},
+         vetoHitShare, 0.0, 1.0);
+  v.real({"veto_free_share", "", "and less than this share of it is seen through", "spec 12"},
+         vetoFreeShare, 0.0, 1.0);
   v.integer(
       {"min_cells", "", "Cells that an instance needs for its free share to count", "spec 12"},
       minCells, 1, 100);

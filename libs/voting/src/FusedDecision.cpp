@@ -8,10 +8,11 @@ bool isSeenThrough(const FreeSpaceSum& evidence, double share, const DecisionOpt
   return evidence.cells >= options.minCells && evidence.freeShare() >= share;
 }
 
-/// Next to nothing of it seen through, and most of it measured again.
+/// Much of it measured again, and next to nothing seen through: a wall whose visible part slides
+/// along behind a window moves like this, however far it seems to travel.
 bool isConfirmedStanding(const FreeSpaceSum& evidence, const DecisionOptions& options) {
-  constexpr double kNextToNothing = 0.1;
-  return evidence.hitShare() >= options.vetoHitShare && evidence.freeShare() < kNextToNothing;
+  return evidence.cells >= options.minCells && evidence.hitShare() >= options.vetoHitShare &&
+         evidence.freeShare() < options.vetoFreeShare;
 }
 
 }  // namespace
@@ -19,9 +20,7 @@ bool isConfirmedStanding(const FreeSpaceSum& evidence, const DecisionOptions& op
 MotionClass fuseTrace(MotionClass motion, const FreeSpaceSum& evidence,
                       const DecisionOptions& options) {
   if (isSeenThrough(evidence, options.traceFreeShare, options)) return MotionClass::Strong;
-  if (motion == MotionClass::Weak && isConfirmedStanding(evidence, options))
-    return MotionClass::Static;
-  return motion;
+  return isConfirmedStanding(evidence, options) ? MotionClass::Static : motion;
 }
 
 bool fuseInstance(bool voted, MotionClass trace, const FreeSpaceSum& evidence,

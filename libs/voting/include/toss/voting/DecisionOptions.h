@@ -13,8 +13,9 @@ struct DecisionOptions : Options {
   double traceFreeShare = 0.35;
   /// The same for the live label, where only past views testify.
   double liveFreeShare = 0.35;
-  /// A weak trace of which this share was measured again, and next to nothing seen through, stays.
-  double vetoHitShare = 0.6;
+  /// What was measured again by this share and seen through by less than that stays, however its
+  /// trace moved.
+  double vetoHitShare = 0.3, vetoFreeShare = 0.05;
   /// Cells that an instance needs for its free share to count alone.
   int minCells = 3;
   /// Free views that make a return without an instance move on its own.
