@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <toss/geometry/Error.h>
-#include <toss/geometry/Options.h>
 #include <toss/render/Camera.h>
 
 #include <Eigen/Geometry>
@@ -74,15 +72,6 @@ Extent withLeastSize(Extent extent) {
 }
 
 }  // namespace
-
-View viewByName(const std::string& name) {
-  static const std::vector<std::string> kNames = {"top", "chase", "corner"};
-  const auto found = std::find(kNames.begin(), kNames.end(), name);
-  if (found == kNames.end())
-    throw UserError("--view " + name, "there is no such view",
-                    "did you mean '" + nearestName(name, kNames) + "'?");
-  return static_cast<View>(found - kNames.begin());
-}
 
 Eigen::Vector3d Camera::forward() const {
   return -Eigen::Vector3d(std::cos(azimuth) * std::cos(elevation),

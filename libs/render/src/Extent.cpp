@@ -15,21 +15,26 @@ constexpr std::size_t kQuantileSample = 200000;
 std::vector<float> sampleOf(const std::vector<MapPoint>& points, float MapPoint::*member) {
   std::vector<float> values;
   for (const std::uint32_t index : sampleIndices(points.size(), kQuantileSample)) {
-    const float value = points[index].*member;
-    if (std::isfinite(value)) values.push_back(value);
+    const MapPoint& point = points[index];
+    if (std::isfinite(point.x + point.y + point.z + point.intensity))
+      values.push_back(point.*member);
   }
   return values;
 }
 
-float quantile(std::vector<float>& values, double share) {
-  const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  return values[static_cast<std::size_t>(rank)];
+/// The values below and above which `share` of all lie; the extremes of few values.
+ValueRange quantiles(std::vector<float>& values, double share) {
+  const auto cut = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  const auto low = values.begin() + cut, high = values.end() - 1 - cut;
+  std::nth_element(values.begin(), low, values.end());
+  const float lowValue = *low;
+  std::nth_element(values.begin(), high, values.end());
+  return {lowValue, *high};
 }
 
 ValueRange rangeOf(std::vector<float> values, float least) {
   if (values.empty()) return {};
-  ValueRange range{quantile(values, 0.02), quantile(values, 0.98)};
+  ValueRange range = quantiles(values, 0.02);
   if (range.high - range.low < least) range.high = range.low + least;
   return range;
 }
@@ -73,7 +78,8 @@ Extent robustExtent(const std::vector<MapPoint>& points) {
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     std::vector<float> values = sampleOf(points, kMembers[axis]);
     if (values.empty()) return full;
-    const double low = quantile(values, 0.002), high = quantile(values, 0.998);
+    const ValueRange range = quantiles(values, 0.002);
+    const double low = range.low, high = range.high;
     const double margin = 0.02 * (high - low);
     extent.low[axis] = std::max(full.low[axis], low - margin);
     extent.high[axis] = std::min(full.high[axis], high + margin);

@@ -2,7 +2,6 @@
 #include "OffscreenRenderer.h"
 
 #include <mrpt/opengl/COpenGLScene.h>
-#include <mrpt/opengl/CPointCloudColoured.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,22 +13,12 @@
 
 #include "EyeDome.h"
 #include "FrameBuffer.h"
+#include "PointCloudObject.h"
 
 namespace toss {
 namespace {
 
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
-
-mrpt::opengl::CPointCloudColoured::Ptr makeCloud(const PointBatch& batch) {
-  auto cloud = mrpt::opengl::CPointCloudColoured::Create();
-  cloud->reserve(batch.positions.size());
-  for (std::size_t i = 0; i < batch.positions.size(); ++i) {
-    const Eigen::Vector3f& p = batch.positions[i];
-    const Color& color = batch.colors[i];
-    cloud->insertPoint({p.x(), p.y(), p.z(), color.red, color.green, color.blue, 255});
-  }
-  return cloud;
-}
 
 cv::Mat toMat(const mrpt::img::CImage& image) {
   cv::Mat result(static_cast<int>(image.getHeight()), static_cast<int>(image.getWidth()), CV_8UC3);
@@ -124,7 +113,7 @@ void OffscreenRenderer::setScene(const PointScene& scene) {
     if (batch.positions.empty()) continue;
     for (const Eigen::Vector3f& position : batch.positions)
       self.extent.include(scene.origin + position.cast<double>());
-    self.clouds.push_back(makeCloud(batch));
+    self.clouds.push_back(toPointCloudObject(batch));
     self.sizes.push_back(batch.size);
     self.emphases.push_back(batch.emphasis);
     self.scene->insert(self.clouds.back());

@@ -37,6 +37,12 @@ class Strip {
     canvas.setTo(toScalar(theme.panel));
   }
 
+  /// The same strip with shorter lengths.
+  Strip shrunk(double factor) const {
+    Strip result = *this;
+    result.unit_ *= factor;
+    return result;
+  }
   double px(double units) const { return units * unit_; }
   double middle() const { return 0.5 * canvas.rows; }
   TextStyle letters(double units, bool bold = false) const {
@@ -111,6 +117,15 @@ double drawEntry(Strip& strip, const LegendEntry& entry, double right) {
   return x - strip.px(32.0);
 }
 
+/// Returns the left end.
+double drawLegend(Strip strip, const Overlay& overlay, double right) {
+  double left = right;
+  if (overlay.scale) left = drawScale(strip, *overlay.scale, left);
+  for (auto entry = overlay.entries.rbegin(); entry != overlay.entries.rend(); ++entry)
+    left = drawEntry(strip, *entry, left);
+  return left;
+}
+
 }  // namespace
 
 Theme themeOf(Background background) {
@@ -139,13 +154,14 @@ void drawOverlay(cv::Mat& picture, const Overlay& overlay, const Camera& camera,
                  const Theme& theme) {
   const double unit = unitOf(picture.cols, picture.rows);
   drawTitles(picture, overlay, theme, unit);
-  const int height = bottomStripHeight(unit);
-  Strip strip(picture, picture.rows - height, height, theme, unit);
-  drawScaleBar(strip, camera, theme);
-  double right = strip.canvas.cols - strip.px(24.0);
-  if (overlay.scale) right = drawScale(strip, *overlay.scale, right);
-  for (auto entry = overlay.entries.rbegin(); entry != overlay.entries.rend(); ++entry)
-    right = drawEntry(strip, *entry, right);
+  const int height = bottomStripHeight(unit), top = picture.rows - height;
+  const double margin = 24.0 * unit, right = picture.cols - margin;
+  cv::Mat measured(height, picture.cols, CV_8UC3);
+  Strip trial(measured, 0, height, theme, unit);
+  const double needed = right - drawLegend(trial, overlay, right);
+  Strip strip(picture, top, height, theme, unit);
+  const double available = right - drawScaleBar(strip, camera, theme) - margin;
+  drawLegend(strip.shrunk(std::clamp(available / needed, 0.3, 1.0)), overlay, right);
 }
 
 }  // namespace toss

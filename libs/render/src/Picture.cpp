@@ -13,7 +13,7 @@ namespace toss {
 namespace {
 
 // Points as large as this times their spacing close the gaps in surfaces seen at an angle.
-constexpr double kOverlap = 1.8;
+constexpr double kOverlap = 1.4;
 
 RenderOptions checked(RenderOptions options) {
   options.check();
@@ -87,6 +87,10 @@ std::string countText(std::size_t count) {
   std::string text = std::to_string(count);
   for (std::size_t place = text.size(); place > 3;) text.insert(place -= 3, " ");
   return text;
+}
+
+std::string countText(std::size_t count, const std::string& noun) {
+  return countText(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 std::string sizeText(const Extent& extent) {

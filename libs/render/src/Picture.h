@@ -56,6 +56,8 @@ class PictureDrawer {
 
 /// Number with its thousands set apart, e.g. "1 234 567".
 std::string countText(std::size_t count);
+/// "1 point", "2 points".
+std::string countText(std::size_t count, const std::string& noun);
 /// "182 x 96 m".
 std::string sizeText(const Extent& extent);
 

@@ -4,20 +4,26 @@
 #include <toss/render/PointSample.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 namespace toss {
 namespace {
 
-float nearestOther(const std::vector<Eigen::Vector3f>& points, std::size_t query) {
+float thirdNearest(const std::vector<Eigen::Vector3f>& points, std::size_t query) {
   const Eigen::Vector3f center = points[query];
-  float nearest = std::numeric_limits<float>::max();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const float squared = (points[i] - center).squaredNorm();
-    if (i != query && squared < nearest) nearest = squared;
+  constexpr float kFar = std::numeric_limits<float>::max();
+  // The query itself is the nearest.
+  std::array<float, 4> nearest = {kFar, kFar, kFar, kFar};
+  for (const Eigen::Vector3f& point : points) {
+    const float squared = (point - center).squaredNorm();
+    if (squared >= nearest.back()) continue;
+    std::size_t place = nearest.size() - 1;
+    for (; place > 0 && nearest[place - 1] > squared; --place) nearest[place] = nearest[place - 1];
+    nearest[place] = squared;
   }
-  return std::sqrt(nearest);
+  return std::sqrt(nearest.back());
 }
 
 }  // namespace
@@ -25,15 +31,14 @@ float nearestOther(const std::vector<Eigen::Vector3f>& points, std::size_t query
 double pointSpacing(const std::vector<Eigen::Vector3f>& points) {
   // A tree over millions of points would cost more than this many plain searches.
   constexpr std::size_t kQueries = 40;
-  if (points.size() < 2) return 0.1;
   std::vector<float> distances;
-  for (const std::uint32_t query : sampleIndices(points.size(), kQueries))
-    distances.push_back(nearestOther(points, query));
+  if (points.size() >= 4)
+    for (const std::uint32_t query : sampleIndices(points.size(), kQueries))
+      distances.push_back(thirdNearest(points, query));
   if (distances.empty()) return 0.1;
-  std::nth_element(distances.begin(),
-                   distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2),
-                   distances.end());
-  return std::max(1e-3, static_cast<double>(distances[distances.size() / 2]));
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return std::max(1e-3, static_cast<double>(*middle));
 }
 
 }  // namespace toss

@@ -7,7 +7,8 @@
 namespace toss {
 
 /// How far neighbouring points lie apart [m]: the median over a few points of the distance to the
-/// nearest other one; 0.1 for fewer than two points.
+/// third nearest other one, which is the spacing of a regular surface and about that of a random
+/// one; 0.1 for fewer than four points.
 double pointSpacing(const std::vector<Eigen::Vector3f>& points);
 
 }  // namespace toss

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <mrpt/opengl/COpenGLScene.h>
-#include <mrpt/opengl/CPointCloudColoured.h>
 #include <mrpt/opengl/CSetOfLines.h>
 #include <mrpt/opengl/CSetOfObjects.h>
-#include <mrpt/opengl/stock_objects.h>
 #include <toss/geometry/Error.h>
 #include <toss/rawlog/AtomicFile.h>
 #include <toss/render/SceneFile.h>
@@ -11,6 +9,7 @@
 #include "LineDrawing.h"
 #include "MapColoring.h"
 #include "Picture.h"
+#include "PointCloudObject.h"
 
 namespace toss {
 namespace {
@@ -20,13 +19,7 @@ mrpt::img::TColor toMrpt(const Color& color) {
 }
 
 mrpt::opengl::CPointCloudColoured::Ptr makeCloud(const PointBatch& batch, const char* name) {
-  auto cloud = mrpt::opengl::CPointCloudColoured::Create();
-  cloud->reserve(batch.positions.size());
-  for (std::size_t i = 0; i < batch.positions.size(); ++i) {
-    const Eigen::Vector3f& p = batch.positions[i];
-    const Color& color = batch.colors[i];
-    cloud->insertPoint({p.x(), p.y(), p.z(), color.red, color.green, color.blue, 255});
-  }
+  auto cloud = toPointCloudObject(batch);
   cloud->setName(name);
   cloud->setPointSize(2.0f);
   cloud->enableVariablePointSize(false);

@@ -41,7 +41,7 @@ Picture staticPicture(const MapContent& content, const RenderOptions& options) {
                                      0.0, coloring.colorOf)};
   picture.overlay.title = titleOf("Static map", content.name);
   picture.overlay.subtitle =
-      countText(content.staticPoints.size()) + " points, " + sizeText(picture.subject.extent);
+      countText(content.staticPoints.size(), "point") + ", " + sizeText(picture.subject.extent);
   addTrajectoryEntry(picture, options);
   picture.overlay.scale = coloring.scale;
   return picture;
@@ -66,8 +66,8 @@ Picture removedPicture(const MapContent& content, const RenderOptions& options) 
                                      0.0, coloring.colorOf)};
   addMoving(picture, content, options);
   picture.overlay.title = titleOf("Removed from the map", content.name);
-  picture.overlay.subtitle = countText(content.movingPoints.size()) + " points shown as removed, " +
-                             countText(content.tracks.size()) + " moving traces";
+  picture.overlay.subtitle = countText(content.movingPoints.size(), "point") + " removed, " +
+                             countText(content.tracks.size(), "moving trace");
   picture.overlay.entries = {{kStaticColor, "static"}, {kRemovedColor, "removed"}};
   return picture;
 }

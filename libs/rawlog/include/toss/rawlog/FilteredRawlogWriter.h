@@ -11,7 +11,7 @@ namespace toss {
 
 /// Writes filtered.rawlog scan by scan in constant memory, with stock classes of MRPT only, so that
 /// every MRPT program reads it without a plug-in. Each scan becomes three observations of its time
-/// stamp: a CObservationRobotPose labelled POSE (map <- robot), and two CObservationPointCloud of
+/// stamp: a CObservationRobotPose (map <- robot), and two CObservationPointCloud of
 /// CPointsMapXYZI in the sensor frame with the sensor's pose on the robot, LIDAR_STATIC and
 /// LIDAR_MOVING, either of which may be empty. Returns that are PointState::Invalid are left out.
 class FilteredRawlogWriter {

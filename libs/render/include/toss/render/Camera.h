@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace toss {
@@ -16,9 +15,6 @@ enum class View {
   Chase,  ///< from behind and above, along the direction of travel, on the middle of the map
   Corner  ///< from above a corner, the whole map in the picture
 };
-
-/// The view of that name: top, chase or corner. Throws UserError naming the nearest known name.
-View viewByName(const std::string& name);
 
 /// A place in a picture.
 struct PicturePoint {
