@@ -18,5 +18,6 @@ void addSimulateCommand(CLI::App& program, const Verbosity& verbosity);
 void addEvalCommand(CLI::App& program, const Verbosity& verbosity);
 void addSnapshotCommand(CLI::App& program, const Verbosity& verbosity);
 void addInfoCommand(CLI::App& program, const Verbosity& verbosity);
+void addConfigCommand(CLI::App& program, const Verbosity& verbosity);
 
 }  // namespace toss

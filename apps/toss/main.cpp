@@ -23,6 +23,7 @@ int run(int argc, char** argv) {
   toss::addEvalCommand(program, verbosity);
   toss::addSnapshotCommand(program, verbosity);
   toss::addInfoCommand(program, verbosity);
+  toss::addConfigCommand(program, verbosity);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

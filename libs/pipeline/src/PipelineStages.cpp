@@ -19,7 +19,7 @@ Pipeline::Implementation::Implementation(const PipelineOptions& o, const SensorM
       voting(o.voting),
       traces(o.decision, o.visibility.enabled),
       judge(options.decision, voting, traces),
-      builder(o.decision.claimMargin, o.mapping.groundResidueHeight) {
+      builder(o.decision, o.mapping.groundResidueHeight) {
   for (const Options* section : options.sections()) section->check();
 }
 

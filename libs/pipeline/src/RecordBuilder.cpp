@@ -55,7 +55,7 @@ ScanRecord RecordBuilder::build(const PosedScan& scan, const SegmentedScan& segm
   record.intensity = scan.points.intensity;
   record.owners.resize(static_cast<std::size_t>(segmented.segmentation.instanceCount) + 1);
   addInstances(detections, tracker, record);
-  addClaims(segmented, detections, tracker, record);
+  if (claiming_) addClaims(segmented, detections, tracker, record);
   for (const Track& track : tracker.tracks())
     record.tracks.push_back(
         {track.id, isDynamic(track.motion), track.updated(), track.box, track.velocity});

@@ -4,6 +4,7 @@
 #include <toss/geometry/PosedScan.h>
 #include <toss/segmentation/Segmenter.h>
 #include <toss/tracking/Tracker.h>
+#include <toss/voting/DecisionOptions.h>
 
 #include "BoxClaims.h"
 #include "ScanRecord.h"
@@ -13,8 +14,9 @@ namespace toss {
 /// Turns what segmentation and tracking found in a scan into its record.
 class RecordBuilder {
  public:
-  /// See BoxClaims.
-  RecordBuilder(double claimMargin, double residueHeight) : claims_(claimMargin, residueHeight) {}
+  /// `residueHeight`: see BoxClaims.
+  RecordBuilder(const DecisionOptions& options, double residueHeight)
+      : claiming_(options.claims), claims_(options.claimMargin, residueHeight) {}
 
   ScanRecord build(const PosedScan& scan, const SegmentedScan& segmented,
                    const std::vector<Detection>& detections, const Tracker& tracker);
@@ -25,6 +27,7 @@ class RecordBuilder {
   void addClaims(const SegmentedScan& segmented, const std::vector<Detection>& detections,
                  const Tracker& tracker, ScanRecord& record);
 
+  bool claiming_;
   BoxClaims claims_;
   std::vector<std::int32_t> claimOfPoint_;
 };

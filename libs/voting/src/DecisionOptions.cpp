@@ -21,6 +21,8 @@ void DecisionOptions::visit(OptionVisitor& v) {
   v.integer(
       {"lone_free_views", "", "Free views that make a return without an instance move", "spec 12"},
       loneFreeViews, 1, 100);
+  v.flag({"claims", "", "Whether boxes of traces claim returns without an instance", "spec 10"},
+         claims);
   v.real({"claim_margin", "m", "Margin by which a trace's box claims returns without an instance",
           "spec 10"},
          claimMargin, 0.0, 1.0);

@@ -20,6 +20,9 @@ struct DecisionOptions : Options {
   int minCells = 3;
   /// Free views that make a return without an instance move on its own.
   int loneFreeViews = 4;
+  /// Whether boxes of traces claim returns that have no instance: feet and tyres in the ground
+  /// layer, sparse returns.
+  bool claims = true;
   /// Margin by which the box of a trace claims returns that have no instance [m].
   double claimMargin = 0.15;
 
