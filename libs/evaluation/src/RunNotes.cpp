@@ -25,6 +25,12 @@ bool isStage(const std::string& column) {
   return column != "scan" && column != "index" && column != "time";
 }
 
+/// "ground_ms" is the stage "ground".
+std::string stageName(const std::string& column) {
+  const std::size_t unit = column.rfind("_ms");
+  return unit != std::string::npos && unit + 3 == column.size() ? column.substr(0, unit) : column;
+}
+
 double quantile(const std::vector<double>& sorted, double share) {
   const auto rank = std::ceil(share * static_cast<double>(sorted.size())) - 1.0;
   return sorted[static_cast<std::size_t>(std::max(rank, 0.0))];
@@ -77,7 +83,8 @@ std::vector<StageTime> readStageTimes(const std::filesystem::path& file) {
   }
   std::vector<StageTime> stages;
   for (std::size_t c = 0; c < header.size(); ++c) {
-    if (isStage(header[c])) stages.push_back(summarize(header[c], std::move(columns[c])));
+    if (isStage(header[c]))
+      stages.push_back(summarize(stageName(header[c]), std::move(columns[c])));
   }
   return stages;
 }

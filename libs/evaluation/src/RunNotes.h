@@ -8,7 +8,8 @@
 namespace toss {
 
 /// Times per stage from a run's timings.csv: one row per scan; each column that is not scan, index
-/// or time is a stage [ms]. Throws UserError for a file that is no such table.
+/// or time is a stage [ms], with or without "_ms" at the end of its name. Throws UserError for a
+/// file that is no such table.
 std::vector<StageTime> readStageTimes(const std::filesystem::path& file);
 
 /// Takes threads, processor and version from a run's summary.json where it names them.

@@ -3,6 +3,7 @@
 
 #include <toss/evaluation/MapEstimates.h>
 #include <toss/rawlog/LabelFile.h>
+#include <toss/segmentation/Segmentation.h>
 
 #include <limits>
 
@@ -55,16 +56,16 @@ LossCause ScanMembership::causeOf(const ScanLabelSets& labels, std::size_t i) co
                               : !labels.run.empty() ? label::instance(labels.run[i])
                                                     : 0;
   if (segmented) {
-    switch (static_cast<SegmentClass>(label::semantic(labels.instances[i]))) {
-      case SegmentClass::Invalid:
-      case SegmentClass::OutOfRange:
+    switch (static_cast<PointClass>(label::semantic(labels.instances[i]))) {
+      case PointClass::Invalid:
+      case PointClass::OutOfRange:
         return LossCause::Invalid;
-      case SegmentClass::Ground:
-      case SegmentClass::BelowGround:
+      case PointClass::Ground:
+      case PointClass::BelowGround:
         return LossCause::Ground;
-      case SegmentClass::Unclustered:
+      case PointClass::Unclustered:
         return causeWithoutInstance(labels.truth[i]);
-      case SegmentClass::Instance:
+      case PointClass::Instance:
         break;
     }
   } else if (labels.run.empty()) {

@@ -28,7 +28,8 @@ enum ScoredMap {
   kScoredMaps
 };
 
-/// Labels of one scan, shape [points] each; empty where there are none.
+/// Labels of one scan, shape [points] each; empty where there are none. `instances` is an optional
+/// output of a run: low 16 bits PointClass, high 16 bits number of the instance in the scan.
 struct ScanLabelSets {
   std::vector<std::uint32_t> truth, run, live, instances;
 };

@@ -6,18 +6,6 @@
 
 namespace toss {
 
-/// What `instances/%06d.label` of a run holds in the low 16 bits of each return's label; the high
-/// 16 bits are the number of its instance in the scan. Optional output of `toss map`; values are
-/// those of PointClass.
-enum class SegmentClass : std::uint16_t {
-  Invalid = 0,
-  OutOfRange = 1,
-  Ground = 2,
-  BelowGround = 3,
-  Unclustered = 4,
-  Instance = 5
-};
-
 /// The best class that any classifier could give to groups of returns: the majority of their true
 /// classes (spec section 11). Groups are numbered up to 65535; 0 is "in no group".
 class ClassOracle {
