@@ -50,7 +50,7 @@ void addQueue(World& world, RandomStream& random) {
   world.addMover(makeCar(random), {Path({{kStopLine - 3.0, -1.75}, {200.0, -1.75}}),
                                    waitUntil(kGreen + 0.5, 9.0), 0.0});
   world.addMover(makeBus(), {Path({{kStopLine - 7.0, -4.95}, {200.0, -4.95}}),
-                             waitUntil(kGreen + 1.5, 7.0), 0.0});
+                             waitUntil(kGreen + 0.2, 10.0), 0.0});
   world.addMover(makeCar(random), {Path({{-60.0, -5.25}, {-31.0, -5.25}, {200.0, -5.25}}),
                                    stopAndGo(8.0, 5.0, 3.0, kGreen + 4.0), 0.0});
   world.addMover(makeCar(random), {Path({{-84.0, -1.75}, {200.0, -1.75}}),

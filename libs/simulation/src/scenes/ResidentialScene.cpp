@@ -63,7 +63,7 @@ void addPeople(World& world, RandomStream& random) {
   addWalker(world, random, walk(2.0, -5.85, 60.0, -5.85, 1.2));
   addWalker(world, random, walk(24.0, 5.85, 0.0, 5.85, 0.3));
   addGroup(world, random, walk(50.0, 4.8, -30.0, 4.8, 1.3), 2);
-  addWalker(world, random, walk({{19.0, -5.6}, {20.4, -4.6}, {20.4, 0.0}, {21.0, 6.0}}, 1.1));
+  addWalker(world, random, walk({{19.0, -5.6}, {20.4, -4.6}, {20.4, 0.0}, {21.0, 6.0}}, 0.8));
   addWalker(world, random, walk(64.0, -5.2, 0.0, -5.2, 1.5));
   world.addMover(makeCyclist(), walk(-16.0, -0.9, 200.0, -0.9, 4.2));
   world.addMover(makeCyclist(), walk(75.0, 1.5, -60.0, 1.5, 5.0));

@@ -106,7 +106,7 @@ void addGroup(World& world, RandomStream& random, const Motion& motion, int coun
   for (int person = 0; person < count; ++person) {
     Motion own = motion;
     own.path = motion.path.shifted(0.65 * (person % 3) + random.uniform(-0.1, 0.1));
-    own.start -= 0.9 * (person / 3) + random.uniform(0.0, 0.3);
+    own.start -= 2.2 * (person / 3) + random.uniform(0.0, 0.3);
     addWalker(world, random, own);
   }
 }

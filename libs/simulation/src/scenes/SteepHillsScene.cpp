@@ -73,12 +73,12 @@ void addPeople(World& world, RandomStream& random, const Path& way) {
   const Path back({kWay.rbegin(), kWay.rend()}, 6.0);
   const double total = way.length();
   addWalkersInLine(world, random, way, -0.9, 28.0, 4, 0.6, 1.1);
-  addWalkersInLine(world, random, way, 0.9, 30.0, 3, 0.7, 1.2);
-  addWalkersInLine(world, random, back, -1.3, total - 60.0, 6, 0.4, 1.1);
-  addGroup(world, random, {back.shifted(-2.9), SpeedProfile::constant(0.8), total - 48.0}, 3);
+  addWalkersInLine(world, random, way, 0.75, 30.0, 3, 0.7, 1.2);
+  addWalkersInLine(world, random, back, -1.45, total - 60.0, 6, 0.4, 1.1);
+  addGroup(world, random, {back.shifted(2.5), SpeedProfile::constant(0.8), total - 48.0}, 3);
   // Close along the fence.
-  addWalker(world, random, {way.shifted(1.9), SpeedProfile::constant(0.3), 33.0});
-  world.addMover(makeCyclist(), {back.shifted(-0.8), SpeedProfile::constant(3.0), total - 75.0});
+  addWalker(world, random, {way.shifted(2.0), SpeedProfile::constant(0.3), 33.0});
+  world.addMover(makeCyclist(), {back.shifted(1.7), SpeedProfile::constant(3.0), total - 75.0});
   world.park(makePedestrian(random), 20.4, -3.9, 1.5);
 }
 

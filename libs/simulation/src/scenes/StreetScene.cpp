@@ -47,7 +47,7 @@ void addVehicles(World& world) {
   world.addMover(makeCar(CarBody::Hatchback, Material::DarkPaint),
                  walk(15.0, -1.75, 160.0, -1.75, 7.0));
   world.addMover(makeCar(CarBody::Estate, Material::LightPaint),
-                 walk(kSideStreet + 1.6, -20.0, kSideStreet + 1.6, 70.0, 7.0));
+                 walk(kSideStreet + 1.6, -13.0, kSideStreet + 1.6, 70.0, 7.0));
   world.addMover(makeCyclist(), walk(7.0, -3.05, 120.0, -3.05, 4.5));
 }
 

@@ -28,7 +28,6 @@ void addMainStreet(World& world, RandomStream& random) {
     addParkedCars(world, random, rowBesideX(kCross + kGap + 4.0, 125.0, side * kParking));
   }
   addParkedCars(world, random, rowBesideX(-75.0, 18.0, kParking));
-  addParkedCars(world, random, rowBesideX(28.0, kCross - kGap - 6.0, kParking));
   // On the left a place is free for the car that arrives, on the right one for the car that leaves.
   addParkedCars(world, random, rowBesideX(-75.0, -2.0, -kParking), 0.95);
   addParkedCarsBesideX(world, random, 20.5, kCross - kGap - 6.0, -kParking, {25.6}, 0.95);
@@ -83,7 +82,7 @@ void addPeople(World& world, RandomStream& random) {
   addWalker(world, random, walk(38.0, 8.9, -30.0, 8.9, 1.1));
   addGroup(world, random, walk(30.0, -7.5, -40.0, -7.5, 1.2), 2);
   // Steps out between parked cars and crosses behind the robot.
-  addWalker(world, random, walk({{25.0, -8.2}, {25.6, -6.2}, {25.6, 2.0}, {25.6, 8.2}}, 1.25));
+  addWalker(world, random, walk({{25.0, -8.2}, {25.6, -6.2}, {25.6, 2.0}, {25.6, 8.2}}, 1.0));
   // Along the gap between the parked cars and the kerb's trees.
   addWalker(world, random, walk(10.0, 6.0, 45.0, 6.0, 1.3));
   const double x = kCross + 7.0;
