@@ -3,7 +3,6 @@
 #include <mrpt/io/lazy_load_path.h>
 #include <mrpt/maps/CPointsMapXYZI.h>
 #include <mrpt/obs/CObservationPointCloud.h>
-#include <mrpt/obs/CRawlog.h>
 #include <mrpt/serialization/CArchive.h>
 #include <toss/geometry/Error.h>
 
@@ -15,6 +14,8 @@
 
 namespace toss {
 namespace {
+
+namespace fs = std::filesystem;
 
 using mrpt::obs::CObservationPointCloud;
 using Format = CObservationPointCloud::ExternalStorageFormat;
@@ -33,8 +34,13 @@ void copyMap(const mrpt::maps::CPointsMap& map, PointCloud& points) {
     points.intensity.clear();
 }
 
-std::string externalFolder(const std::filesystem::path& rawlog) {
-  return mrpt::obs::CRawlog::detectImagesDirectory(rawlog.string());
+/// MRPT's own search, CRawlog::detectImagesDirectory(), loses the slash after the rawlog's folder.
+fs::path externalFolder(const fs::path& rawlog) {
+  const std::string stem = (rawlog.parent_path() / rawlog.stem()).string();
+  for (const fs::path& folder :
+       {fs::path(stem + "_Images"), fs::path(stem + "_images"), rawlog.parent_path() / "Images"})
+    if (fs::is_directory(folder)) return folder;
+  return stem + "_Images";
 }
 
 /// MRPT would take the end of a gz file that is cut off for its proper end.
@@ -61,7 +67,7 @@ void readExternal(CObservationPointCloud& observation, Format format,
     copyMap(*readSerialized(file), points);
   } else {
     // The base folder is global in MRPT: it is set anew each time, other logs may be open.
-    mrpt::io::setLazyLoadPathBase(externalFolder(rawlog));
+    mrpt::io::setLazyLoadPathBase(externalFolder(rawlog).string());
     observation.load();
     copyMap(*observation.pointcloud, points);
   }

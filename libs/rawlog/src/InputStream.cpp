@@ -130,6 +130,14 @@ std::size_t InputStream::Read(void* target, std::size_t count) {
   return got;
 }
 
+std::uint64_t InputStream::mostBytesLeft() const {
+  constexpr std::uint64_t kBestCompression = 1032;
+  const std::uint64_t unread = fileSize_ - fileRead_;
+  const std::uint64_t inflated =
+      inflater_ ? (unread + inflater_->stream.avail_in + 1) * kBestCompression : unread;
+  return aheadEnd_ - aheadBegin_ + inflated;
+}
+
 double InputStream::progress() const {
   const std::uint64_t waiting = inflater_ ? inflater_->stream.avail_in : 0;
   return static_cast<double>(fileRead_ - waiting) / static_cast<double>(fileSize_);

@@ -29,6 +29,8 @@ class InputStream : public mrpt::io::CStream {
   bool atEnd() { return peek(1).empty(); }
   /// What is wrong with the file where reading stopped; "" if it ended as it should.
   const std::string& damage() const { return damage_; }
+  /// The most bytes that can still be delivered; for gz by its best possible compression.
+  std::uint64_t mostBytesLeft() const;
   /// Whether the file is gz.
   bool compressed() const { return inflater_ != nullptr; }
   /// Share of the file that has been read, 0 to 1.

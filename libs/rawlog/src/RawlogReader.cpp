@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "ObjectLengths.h"
+
 namespace toss {
 namespace {
 
@@ -77,6 +79,8 @@ mrpt::serialization::CSerializable::Ptr RawlogReader::readObject() {
                     "remove these objects with the program that wrote them, nothing behind them "
                     "can be read");
   }
+  const std::string impossible = impossibleLength(stream_.peek(4096), stream_.mostBytesLeft());
+  if (!impossible.empty()) failInObject(className, impossible);
   try {
     auto object = mrpt::serialization::archiveFrom(stream_).ReadObject();
     ++count_;
