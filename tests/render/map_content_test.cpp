@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <toss/rawlog/MetricMapFile.h>
+#include <toss/rawlog/PlyFile.h>
+#include <toss/rawlog/TracksCsv.h>
+#include <toss/render/MapContent.h>
+
+#include "InputFixtures.h"
+
+namespace toss::test {
+namespace {
+
+ScanLabels labelsWith(std::uint64_t scan, bool firstMoves) {
+  ScanLabels labels;
+  labels.scan = scan;
+  for (const TrackId id : {TrackId{3}, TrackId{8}}) {
+    TrackSample sample;
+    sample.track = id;
+    sample.moving = id == 8 || firstMoves;
+    sample.box.center.x() = static_cast<double>(10 * id + scan);
+    labels.tracks.push_back(sample);
+  }
+  return labels;
+}
+
+TEST(MapContentTest, CollectsThePathsOfMovingTraces) {
+  TrackPathCollector collector;
+  collector.add(labelsWith(0, false));
+  collector.add(labelsWith(1, true));
+  const auto paths = collector.paths();
+  ASSERT_EQ(paths.size(), 2u);
+  EXPECT_EQ(paths[0].track, 3u);
+  ASSERT_EQ(paths[0].boxes.size(), 1u);
+  EXPECT_EQ(paths[0].boxes[0].center.x(), 31.0);
+  EXPECT_EQ(paths[1].boxes.size(), 2u);
+}
+
+TEST(MapContentTest, ReadsRunsAndPointFilesTogether) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "run");
+  writePly(folder / "run" / "static_map.ply", {{1, 2, 3, 0.5f}, {4, 5, 6, 0.5f}});
+  writePly(folder / "run" / "moving_points.ply", {{7, 8, 9, 0.5f}});
+  TracksCsvWriter tracks(folder / "run" / "tracks.csv");
+  tracks.add(labelsWith(0, false));
+  tracks.finish();
+  writeMetricMap(folder / "other.metricmap", {{10, 11, 12, 1.0f}});
+  const MapContent content = readMapContent({folder / "run", folder / "other.metricmap"}, 1000);
+  EXPECT_EQ(content.name, "run + other.metricmap");
+  ASSERT_EQ(content.staticPoints.size(), 3u);
+  EXPECT_EQ(content.staticPoints[2].y, 11.0f);
+  ASSERT_EQ(content.movingPoints.size(), 1u);
+  ASSERT_EQ(content.tracks.size(), 1u);
+  EXPECT_EQ(content.tracks[0].track, 8u);
+}
+
+TEST(MapContentTest, NamesFoldersThatAreNoRun) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "empty");
+  EXPECT_THAT(userErrorOf([&] { readMapContent({folder / "empty"}, 10); }),
+              ::testing::HasSubstr("no static_map.ply"));
+  EXPECT_NE(userErrorOf([&] { readMapContent({folder / "none.ply"}, 10); }), "");
+}
+
+}  // namespace
+}  // namespace toss::test
