@@ -66,8 +66,8 @@ void addParkingTraffic(World& world) {
 }
 
 void addTraffic(World& world, RandomStream& random) {
-  world.addMover(makeBus(), walk(110.0, 1.75, -200.0, 1.75, 7.0));
-  world.addMover(makeCar(random), walk(142.0, 1.75, -200.0, 1.75, 8.0));
+  world.addMover(makeBus(), walk(100.0, 1.75, -200.0, 1.75, 7.0));
+  world.addMover(makeCar(random), walk(150.0, 1.75, -200.0, 1.75, 7.4));
   world.addMover(makeCar(random), walk(kCross + 1.75, -30.0, kCross + 1.75, 200.0, 9.0));
   world.addMover(makeCar(random), walk(kCross - 1.75, 46.0, kCross - 1.75, -200.0, 8.0));
   world.addMover(makeTruck(8.0), walk(kCross - 1.75, 95.0, kCross - 1.75, -200.0, 6.5));
@@ -82,7 +82,7 @@ void addPeople(World& world, RandomStream& random) {
   addWalker(world, random, walk(38.0, 8.9, -30.0, 8.9, 1.1));
   addGroup(world, random, walk(30.0, -7.5, -40.0, -7.5, 1.2), 2);
   // Steps out between parked cars and crosses behind the robot.
-  addWalker(world, random, walk({{25.0, -8.2}, {25.6, -6.2}, {25.6, 2.0}, {25.6, 8.2}}, 1.0));
+  addWalker(world, random, walk({{25.0, -8.2}, {25.6, -6.2}, {25.6, 2.0}, {25.6, 8.2}}, 0.7));
   // Along the gap between the parked cars and the kerb's trees.
   addWalker(world, random, walk(10.0, 6.0, 45.0, 6.0, 1.3));
   const double x = kCross + 7.0;
