@@ -30,7 +30,7 @@ struct NodeReturns {
     }
     return *this;
   }
-  NodePoints points() const { return {x.data(), y.data(), z.data(), x.size()}; }
+  NodePoints points() const { return {x.data(), y.data(), z.data(), x.size(), nullptr}; }
 };
 
 TEST(GroundNodeModel, FitsTheLowerOfTwoSurfaces) {

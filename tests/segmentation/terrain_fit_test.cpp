@@ -44,7 +44,7 @@ struct Scatter {
       x.push_back(p.x()), y.push_back(p.y()), z.push_back(truth(p) + offset);
     }
   }
-  NodePoints points() const { return {x.data(), y.data(), z.data(), x.size()}; }
+  NodePoints points() const { return {x.data(), y.data(), z.data(), x.size(), nullptr}; }
 };
 
 TEST(TerrainFit, FindsThePlaneThatAllReturnsLieOn) {
@@ -56,7 +56,7 @@ TEST(TerrainFit, FindsThePlaneThatAllReturnsLieOn) {
   for (int round = 0; round < 4; ++round) {
     fit.clear();
     for (int node = 0; node < field().nodes(); ++node) {
-      fit.add(node, Scatter(node, 40, 0.0f).points(), heights, 0.4f);
+      fit.add(node, Scatter(node, 40, 0.0f).points(), heights, 0.4f, nullptr);
     }
     fit.solve(heights);
   }
@@ -70,8 +70,8 @@ TEST(TerrainFit, IgnoresWhatStandsOnTheGround) {
   VertexHeights heights = heightsOf(truth);
   fit.clear();
   for (int node = 0; node < field().nodes(); ++node) {
-    fit.add(node, Scatter(node, 20, 0.0f).points(), heights, 0.4f);
-    fit.add(node, Scatter(node, 60, 0.3f).points(), heights, 0.4f);
+    fit.add(node, Scatter(node, 20, 0.0f).points(), heights, 0.4f, nullptr);
+    fit.add(node, Scatter(node, 60, 0.3f).points(), heights, 0.4f, nullptr);
   }
   fit.solve(heights);
   for (int v = 0; v < field().vertices(); ++v) {
@@ -102,7 +102,7 @@ TEST(TerrainFit, LeavesUnknownVerticesUnknown) {
   TerrainFit fit(field());
   VertexHeights heights(static_cast<std::size_t>(field().vertices()), kNan);
   fit.clear();
-  fit.add(0, Scatter(0, 10, 0.0f).points(), heights, 0.4f);
+  fit.add(0, Scatter(0, 10, 0.0f).points(), heights, 0.4f, nullptr);
   fit.solve(heights);
   for (const float height : heights) EXPECT_TRUE(std::isnan(height));
 }

@@ -1,77 +1,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <toss/segmentation/ContactPoints.h>
+#include <toss/segmentation/UprightNeighbours.h>
 
-#include <algorithm>
-#include <cmath>
+#include <vector>
 
 namespace toss {
 namespace {
 
-/// Beams above a return, and columns to either side, in which its object is looked for.
-constexpr int kRows = 2, kColumns = 1;
-
-class Contact {
- public:
-  Contact(const LevelPoints& points, const RangeImage& image, const GroundOptions& options,
-          Segmentation& segmentation)
-      : points_(points),
-        image_(image),
-        height_(static_cast<float>(options.contactHeight)),
-        slope_(static_cast<float>(options.contactSlope)),
-        segmentation_(segmentation) {}
-
-  /// Row by row from the top, so that what is released carries what lies under it.
-  void run() {
-    for (int row = 1; row < image_.rows; ++row) {
-      for (int column = 0; column < image_.columns; ++column) {
-        for (std::int32_t p = image_.at(row, column); p != RangeImage::kNone;
-             p = image_.next[static_cast<std::size_t>(p)]) {
-          const auto point = static_cast<std::size_t>(p);
-          if (isCandidate(point) && carries(point, row, column)) {
-            segmentation_.pointClass[point] = PointClass::Unclustered;
-          }
-        }
-      }
-    }
+/// Ground returns higher than `height`, by row from the top and in the order of the scan within a
+/// row (counting sort).
+std::vector<std::int32_t> candidatesByRow(const RangeImage& image, const Segmentation& segmentation,
+                                          float height) {
+  std::vector<std::int32_t> found, begin(static_cast<std::size_t>(image.rows) + 1, 0);
+  for (std::size_t point = 0; point < image.row.size(); ++point) {
+    if (segmentation.pointClass[point] != PointClass::Ground) continue;
+    if (!(segmentation.heightAboveGround[point] > height)) continue;
+    found.push_back(static_cast<std::int32_t>(point));
+    ++begin[static_cast<std::size_t>(image.row[point]) + 1];
   }
-
- private:
-  bool isCandidate(std::size_t point) const {
-    return segmentation_.pointClass[point] == PointClass::Ground &&
-           segmentation_.heightAboveGround[point] > height_;
+  for (std::size_t row = 1; row < begin.size(); ++row) begin[row] += begin[row - 1];
+  std::vector<std::int32_t> sorted(found.size());
+  for (const std::int32_t point : found) {
+    std::int32_t& place = begin[image.row[static_cast<std::size_t>(point)]];
+    sorted[static_cast<std::size_t>(place++)] = point;
   }
-
-  bool carries(std::size_t point, int row, int column) const {
-    for (int above = row - 1; above >= std::max(0, row - kRows); --above) {
-      for (int side = -kColumns; side <= kColumns; ++side) {
-        const int wrapped = (column + side + image_.columns) % image_.columns;
-        const std::int32_t other = image_.at(above, wrapped);
-        if (other != RangeImage::kNone && standsOn(static_cast<std::size_t>(other), point)) {
-          return true;
-        }
-      }
-    }
-    return false;
-  }
-
-  bool standsOn(std::size_t upper, std::size_t lower) const {
-    if (segmentation_.pointClass[upper] != PointClass::Unclustered) return false;
-    const float dx = points_.x[upper] - points_.x[lower], dy = points_.y[upper] - points_.y[lower];
-    const float rise = points_.z[upper] - points_.z[lower];
-    return rise > 0.0f && rise * rise > slope_ * slope_ * (dx * dx + dy * dy);
-  }
-
-  const LevelPoints& points_;
-  const RangeImage& image_;
-  float height_, slope_;
-  Segmentation& segmentation_;
-};
+  return sorted;
+}
 
 }  // namespace
 
 void releaseContactPoints(const LevelPoints& points, const RangeImage& image,
                           const GroundOptions& options, Segmentation& segmentation) {
-  if (options.contactSlope > 0.0) Contact(points, image, options, segmentation).run();
+  if (options.contactSlope == 0.0) return;
+  const UprightNeighbours neighbours(points, image, static_cast<float>(options.contactSlope));
+  const auto isObject = [&](std::size_t point) {
+    return segmentation.pointClass[point] == PointClass::Unclustered;
+  };
+  // From the top, so that what is released carries what lies under it.
+  const auto height = static_cast<float>(options.contactHeight);
+  for (const std::int32_t candidate : candidatesByRow(image, segmentation, height)) {
+    const auto point = static_cast<std::size_t>(candidate);
+    if (neighbours.anyAbove(point, isObject)) {
+      segmentation.pointClass[point] = PointClass::Unclustered;
+    }
+  }
 }
 
 }  // namespace toss

@@ -3,6 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace toss {
@@ -70,7 +71,8 @@ struct Moments {
   }
 };
 
-void fitPlane(const Moments& sums, const Eigen::Vector3d& origin, GroundNode& node) {
+/// Sets the node's plane; returns the spread of the returns across their line [m].
+double fitPlane(const Moments& sums, const Eigen::Vector3d& origin, GroundNode& node) {
   const Eigen::Vector3d mean = Eigen::Vector3d(sums.x, sums.y, sums.z) / sums.count;
   Eigen::Matrix3d covariance;
   covariance << sums.xx, sums.xy, sums.xz, sums.xy, sums.yy, sums.yz, sums.xz, sums.yz, sums.zz;
@@ -85,6 +87,7 @@ void fitPlane(const Moments& sums, const Eigen::Vector3d& origin, GroundNode& no
   node.mean = center.cast<float>();
   node.offset = static_cast<float>(-normal.dot(center));
   node.weight = static_cast<float>((s[2] + s[1]) * s[1] / (s[2] * s[0] + 0.001));
+  return std::sqrt(s[1]);
 }
 
 }  // namespace
@@ -113,6 +116,7 @@ GroundNode fitGroundNode(const NodePoints& points, const GroundOptions& options)
   const float floor = bottom - static_cast<float>(options.outlierDepth);
   const float ceiling = bottom + static_cast<float>(options.seedHeight);
 
+  double spread = 0.0;
   for (int round = 0; round < options.iterations; ++round) {
     Moments sums;
     for (std::size_t i = 0; i < points.count; i += stride) {
@@ -128,8 +132,10 @@ GroundNode fitGroundNode(const NodePoints& points, const GroundOptions& options)
       node.type = NodeType::NonGround;
       return node;
     }
-    fitPlane(sums, origin, node);
+    spread = fitPlane(sums, origin, node);
   }
+  // The returns of a single beam lie on a line, through which any plane fits.
+  if (spread < options.minSpread) return GroundNode{};
   const bool level = node.normal.z() >= static_cast<float>(options.minNormalZ);
   node.type = level ? NodeType::Ground : NodeType::NonGround;
   return node;

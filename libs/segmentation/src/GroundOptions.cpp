@@ -66,6 +66,12 @@ void visitPlanes(GroundOptions& options, OptionVisitor& visitor) {
                 "is ground (0.94: 20 degrees, 0.80: 37 degrees).",
                 "spec 2.2, 2.8, 11"},
                options.minNormalZ, 0.1, 1.0);
+  visitor.real({"min_spread", "m",
+                "Least spread of a plane's returns across their main direction; those of a single "
+                "beam lie on a line and fix no plane. A larger value leaves more to the terrain "
+                "model.",
+                "measured; 0 = TRAVEL"},
+               options.minSpread, 0.0, 10.0);
 }
 
 void visitSearch(GroundOptions& options, OptionVisitor& visitor) {

@@ -3,6 +3,7 @@
 #include <toss/segmentation/GroundSegmentation.h>
 #include <toss/segmentation/TerrainFit.h>
 #include <toss/segmentation/TraversabilitySearch.h>
+#include <toss/segmentation/UprightNeighbours.h>
 
 #include <limits>
 
@@ -32,7 +33,7 @@ struct GroundSegmentation::Implementation {
         terrain(fineField) {}
 
   void fitNodes();
-  void fitTerrain();
+  void fitTerrain(const LevelPoints& points, const RangeImage& image);
   void copyToFine();
   void labelNode(int place, Segmentation& segmentation);
   void labelPoints(const LevelPoints& points, Segmentation& segmentation);
@@ -74,14 +75,16 @@ void GroundSegmentation::Implementation::copyToFine() {
   }
 }
 
-void GroundSegmentation::Implementation::fitTerrain() {
+void GroundSegmentation::Implementation::fitTerrain(const LevelPoints& points,
+                                                    const RangeImage& image) {
+  const UprightNeighbours upright(points, image, static_cast<float>(options.contactSlope));
   copyToFine();
   for (int round = 0; round < options.terrainRounds; ++round) {
     const float gate = round == 0 ? kFirstGate : kGate;
     terrain.extend(fineHeights);
     terrain.clear();
     for (int place = 0; place < sorted.places(); ++place) {
-      terrain.add(sorted.fineAtPlace(place), sorted.atPlace(place), fineHeights, gate);
+      terrain.add(sorted.fineAtPlace(place), sorted.atPlace(place), fineHeights, gate, &upright);
     }
     terrain.solve(fineHeights);
   }
@@ -100,10 +103,9 @@ void GroundSegmentation::Implementation::labelNode(int place, Segmentation& segm
   const auto above = static_cast<float>(options.groundHeight);
   const auto below = -static_cast<float>(options.outlierDepth);
   const NodePoints points = sorted.atPlace(place);
-  const std::int32_t* const original = sorted.originalAtPlace(place);
   for (std::size_t i = 0; i < points.count; ++i) {
     const float height = node.heightOf(points.x[i], points.y[i], points.z[i]);
-    const auto point = static_cast<std::size_t>(original[i]);
+    const auto point = static_cast<std::size_t>(points.original[i]);
     segmentation.heightAboveGround[point] = height;
     if (!(height < above)) continue;
     if (height >= below) {
@@ -111,7 +113,7 @@ void GroundSegmentation::Implementation::labelNode(int place, Segmentation& segm
       ++groundReturns[static_cast<std::size_t>(sorted.fineAtPlace(place))];
     } else if (node.offset > 0.0f) {
       // The sensor is `offset` above the plane, so this share of the beam runs above it.
-      buried.push_back({original[i], node.offset / (node.offset - height)});
+      buried.push_back({points.original[i], node.offset / (node.offset - height)});
     }
   }
 }
@@ -158,7 +160,7 @@ void GroundSegmentation::segment(const LevelPoints& points, const RangeImage& im
     replacePlanes(stage.field, stage.options, stage.heights, stage.nodes);
   }
   if (stage.options.refine && stage.options.terrainRounds > 0) {
-    stage.fitTerrain();
+    stage.fitTerrain(points, image);
   } else {
     stage.fineNodes = stage.nodes;
   }

@@ -25,8 +25,6 @@ class NodeSorting {
   /// Returns of the fine node at a place. Places count the fine nodes, those of coarse node c being
   /// c * finePerCoarse() and following.
   NodePoints atPlace(int place) const { return between(place, place + 1); }
-  /// Indices in the scan of the returns of the fine node at a place.
-  const std::int32_t* originalAtPlace(int place) const { return original_.data() + begin(place); }
   int fineAtPlace(int place) const { return fineAtPlace_[static_cast<std::size_t>(place)]; }
   int finePerCoarse() const { return share_; }
   int places() const { return static_cast<int>(fineAtPlace_.size()); }
@@ -37,7 +35,8 @@ class NodeSorting {
   }
   NodePoints between(int first, int last) const {
     const std::size_t from = begin(first);
-    return {x_.data() + from, y_.data() + from, z_.data() + from, begin(last) - from};
+    return {x_.data() + from, y_.data() + from, z_.data() + from, begin(last) - from,
+            original_.data() + from};
   }
 
   const TriGridField& fine_;

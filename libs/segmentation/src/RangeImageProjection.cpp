@@ -21,6 +21,22 @@ ProjectionOptions checked(ProjectionOptions options, const SensorModel& sensor) 
   return options;
 }
 
+// The compiler vectorises these only as functions of arrays that are known not to overlap.
+
+void findAzimuths(const float* __restrict x, const float* __restrict y, std::size_t n,
+                  float* __restrict azimuth) {
+  for (std::size_t i = 0; i < n; ++i) azimuth[i] = fastArcTangent2(y[i], x[i]);
+}
+
+void findDistances(const float* __restrict x, const float* __restrict y, const float* __restrict z,
+                   std::size_t n, float* __restrict distance, float* __restrict slope) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const float horizontalSquared = x[i] * x[i] + y[i] * y[i];
+    distance[i] = std::sqrt(horizontalSquared + z[i] * z[i]);
+    slope[i] = z[i] / std::max(std::sqrt(horizontalSquared), 1e-20f);
+  }
+}
+
 }  // namespace
 
 float azimuthOfColumn(int column, int columns) {
@@ -49,22 +65,14 @@ void RangeImageProjection::findDirections(const PointCloud& points, std::vector<
   const float* const x = points.x.data();
   const float* const y = points.y.data();
   const float* const z = points.z.data();
-  float* const azimuth = directions_.azimuth.data();
-  float* const slope = directions_.slope.data();
-  float* const distance = range.data();
-  for (std::size_t i = 0; i < n; ++i) {
-    const float horizontalSquared = x[i] * x[i] + y[i] * y[i];
-    const float horizontal = std::sqrt(horizontalSquared);
-    distance[i] = std::sqrt(horizontalSquared + z[i] * z[i]);
-    slope[i] = z[i] / std::max(horizontal, 1e-20f);
-    azimuth[i] = fastArcTangent2(y[i], x[i]);
-  }
+  findAzimuths(x, y, n, directions_.azimuth.data());
+  findDistances(x, y, z, n, range.data(), directions_.slope.data());
   std::uint8_t* const valid = directions_.valid.data();
   // Written so that it is false for NaN. An infinite distance is too far rather than invalid where
   // the coordinates themselves are finite.
   for (std::size_t i = 0; i < n; ++i) {
     const bool finite = (x[i] - x[i]) + (y[i] - y[i]) + (z[i] - z[i]) == 0.0f;
-    valid[i] = static_cast<std::uint8_t>(finite & (distance[i] > 0.0f));
+    valid[i] = static_cast<std::uint8_t>(finite & (range[i] > 0.0f));
   }
 }
 

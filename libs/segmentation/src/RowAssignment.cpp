@@ -18,6 +18,8 @@ constexpr std::size_t kSampling = 8;
 constexpr std::size_t kMinSamples = 20;
 /// Rings that may be missing from a scan in ring order.
 constexpr int kMissingRings = 2;
+/// A ring with less than this part of the average ring's returns is none.
+constexpr std::size_t kShortRing = 20;
 
 float median(std::vector<float>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -79,38 +81,61 @@ RowSource RowAssignment::assign(const Directions& directions,
 }
 
 bool RowAssignment::fromOrder(const Directions& directions, std::vector<std::uint16_t>& row) {
-  int ring = -1;
-  float previous = std::numeric_limits<float>::infinity();
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    if (directions.valid[i] == 0) continue;
-    const float azimuth = directions.azimuth[i];
-    const float turned = azimuth < 0.0f ? azimuth + 2.0f * kPi : azimuth;
-    if (previous - turned > kPi && ++ring >= sensor_.rows()) return false;
-    previous = turned;
-    row[i] = static_cast<std::uint16_t>(ring);
+  const int count = findRings(directions);
+  if (count < std::max(1, sensor_.rows() - kMissingRings) || count > sensor_.rows()) return false;
+  for (std::size_t ring = 0; ring + 1 < ringBegin_.size(); ++ring) {
+    std::fill(row.begin() + static_cast<std::ptrdiff_t>(ringBegin_[ring]),
+              row.begin() + static_cast<std::ptrdiff_t>(ringBegin_[ring + 1]),
+              static_cast<std::uint16_t>(ring));
   }
-  const int count = ring + 1;
-  if (count < std::max(1, sensor_.rows() - kMissingRings)) return false;
-
   const std::vector<float> medians = medianSlopes(directions, row, count);
   for (std::size_t r = 1; r < medians.size(); ++r) {
     if (!(medians[r] < medians[r - 1])) return false;
   }
-  // Where rings are missing, they are those that leave the others nearest to the sensor's table.
-  int best = 0;
-  float leastError = std::numeric_limits<float>::infinity();
-  for (int shift = 0; shift + count <= sensor_.rows(); ++shift) {
-    float error = 0.0f;
-    for (int r = 0; r < count; ++r) {
-      const float expected = sensor_.elevations[static_cast<std::size_t>(r + shift)];
-      error += std::fabs(std::atan(medians[static_cast<std::size_t>(r)]) - expected);
-    }
-    if (error < leastError) leastError = error, best = shift;
-  }
-  if (best > 0) {
-    for (std::uint16_t& r : row) r = static_cast<std::uint16_t>(r + best);
+  const int shift = shiftToTable(medians);
+  if (shift > 0) {
+    for (std::uint16_t& r : row) r = static_cast<std::uint16_t>(r + shift);
   }
   return true;
+}
+
+int RowAssignment::findRings(const Directions& directions) {
+  ringBegin_.clear();
+  float previous = std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < directions.valid.size(); ++i) {
+    if (directions.valid[i] == 0) continue;
+    const float azimuth = directions.azimuth[i];
+    const float turned = azimuth < 0.0f ? azimuth + 2.0f * kPi : azimuth;
+    if (previous - turned > kPi) ringBegin_.push_back(i);
+    previous = turned;
+  }
+  if (ringBegin_.empty()) return 0;
+  ringBegin_.front() = 0;
+  ringBegin_.push_back(directions.valid.size());
+  // A few returns between two wraps are jitter at the start of a ring, or at the scan's end.
+  const std::size_t fewest = directions.valid.size() / sensor_.elevations.size() / kShortRing;
+  std::size_t kept = 0;
+  for (std::size_t ring = 0; ring + 1 < ringBegin_.size(); ++ring) {
+    const std::size_t begin = kept == 0 ? 0 : ringBegin_[ring];
+    if (ringBegin_[ring + 1] - begin > fewest) ringBegin_[kept++] = begin;
+  }
+  ringBegin_[kept] = directions.valid.size();
+  ringBegin_.resize(kept + 1);
+  return static_cast<int>(kept);
+}
+
+/// Where rings are missing, they are those that leave the others nearest to the sensor's table.
+int RowAssignment::shiftToTable(const std::vector<float>& medians) const {
+  int best = 0;
+  float leastError = std::numeric_limits<float>::infinity();
+  for (std::size_t shift = 0; shift + medians.size() <= sensor_.elevations.size(); ++shift) {
+    float error = 0.0f;
+    for (std::size_t r = 0; r < medians.size(); ++r) {
+      error += std::fabs(std::atan(medians[r]) - sensor_.elevations[r + shift]);
+    }
+    if (error < leastError) leastError = error, best = static_cast<int>(shift);
+  }
+  return best;
 }
 
 void RowAssignment::fromElevation(const Directions& directions,

@@ -12,6 +12,9 @@ constexpr std::size_t kPickedReturns = 24;
 constexpr float kFullWeight = 16.0f;
 /// Share of the gate that reaches above the surface.
 constexpr float kAbove = 0.6f;
+/// Height above the surface from which a return may lie on something upright rather than on ground
+/// that is higher than thought [m].
+constexpr float kClearlyAbove = 0.05f;
 /// Weight of a unit bend against a return: a return off by 0.05 m costs as much as a bend of 0.1 m.
 constexpr float kSmoothness = 0.25f;
 /// Steps of the solver; it starts near the solution.
@@ -91,7 +94,8 @@ void TerrainFit::extend(VertexHeights& heights) {
   }
 }
 
-void TerrainFit::add(int node, const NodePoints& points, const VertexHeights& heights, float gate) {
+void TerrainFit::add(int node, const NodePoints& points, const VertexHeights& heights, float gate,
+                     const UprightNeighbours* upright) {
   NodeSums sums{field_.verticesOf(node), {}, {}};
   const float h0 = heights[at(sums.vertices[0])], h1 = heights[at(sums.vertices[1])];
   const float h2 = heights[at(sums.vertices[2])];
@@ -109,6 +113,10 @@ void TerrainFit::add(int node, const NodePoints& points, const VertexHeights& he
     const float off = height * (height > 0.0f ? above : below);
     const float fade = 1.0f - off * off;
     if (!(fade > 0.0f)) continue;
+    if (upright != nullptr && height > kClearlyAbove &&
+        upright->anyAbove(static_cast<std::size_t>(points.original[i]))) {
+      continue;
+    }
     const float w = fade * fade, wz = w * points.z[i];
     sums.products[0] += w * l0 * l0, sums.products[1] += w * l0 * l1;
     sums.products[2] += w * l0 * l2, sums.products[3] += w * l1 * l1;

@@ -30,12 +30,14 @@ struct GroundNode {
   }
 };
 
-/// Returns of one node, struct of arrays [m, level frame], shape [count].
+/// Returns of one node, struct of arrays [m, level frame], shape [count], with their indices in the
+/// scan (null where nobody asks for them).
 struct NodePoints {
   const float* x = nullptr;
   const float* y = nullptr;
   const float* z = nullptr;
   std::size_t count = 0;
+  const std::int32_t* original = nullptr;
 };
 
 /// Fits the ground plane of a node (region-wise ground plane fitting, spec section 2.2): a few

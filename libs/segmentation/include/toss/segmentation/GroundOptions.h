@@ -43,6 +43,8 @@ struct GroundOptions : Options {
   double outlierDepth = 0.3;
   /// Least vertical component of a ground plane's normal: cosine of the steepest slope.
   double minNormalZ = 0.80;
+  /// Least spread (standard deviation) of a plane's returns across their main direction [m].
+  double minSpread = 0.15;
   /// Least weight of an island.
   double islandWeight = 200.0;
   /// Change of the normal that is traversable [rad per m of distance between the patches].

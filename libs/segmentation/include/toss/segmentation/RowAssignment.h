@@ -39,6 +39,8 @@ class RowAssignment {
 
  private:
   bool fromOrder(const Directions& directions, std::vector<std::uint16_t>& row);
+  int findRings(const Directions& directions);
+  int shiftToTable(const std::vector<float>& medians) const;
   void fromElevation(const Directions& directions, std::vector<std::uint16_t>& row) const;
   void fromEquation(const Directions& directions, std::vector<std::uint16_t>& row) const;
   std::vector<float> medianSlopes(const Directions& directions,
@@ -53,6 +55,8 @@ class RowAssignment {
   /// First candidate row for each of evenly spaced slopes.
   std::vector<std::uint16_t> firstRow_;
   float topSlope_ = 0.0f, cellsPerSlope_ = 0.0f;
+  /// First return of each ring of a scan in ring order, and the number of returns.
+  std::vector<std::size_t> ringBegin_;
   std::vector<std::vector<float>> samples_;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <toss/segmentation/TerrainRefinement.h>
+#include <toss/segmentation/UprightNeighbours.h>
 
 #include <array>
 #include <cstdint>
@@ -25,8 +26,11 @@ class TerrainFit {
   /// Starts a new selection of returns.
   void clear() { sums_.clear(); }
   /// Adds returns of `node` that lie near the surface: their weight fades out at `gate` [m] below
-  /// it and nearer above it, where feet and bumpers are. Nodes with an unknown vertex are left out.
-  void add(int node, const NodePoints& points, const VertexHeights& heights, float gate);
+  /// it and nearer above it, where feet and bumpers are. Nodes with an unknown vertex are left out,
+  /// and so are returns clearly above the surface that `upright` (may be null) finds to belong to
+  /// something upright: they would lift the surface where no ground is seen in front of them.
+  void add(int node, const NodePoints& points, const VertexHeights& heights, float gate,
+           const UprightNeighbours* upright);
   /// Moves the heights of the vertices at and around the selected returns to the best compromise
   /// between returns and smoothness.
   void solve(VertexHeights& heights);
