@@ -104,6 +104,8 @@ TEST(Sweep, NoiseSpreadsRangesByWhatTheDataSheetSays) {
   double sum = 0.0, squares = 0.0, count = 0.0;
   for (std::size_t i = 0; i < exact.beams.size(); ++i) {
     if (noisy.beams[i].range <= 0.0 || noisy.beams[i].label != semantics::kBuilding) continue;
+    // Farther to the sides beams are wide on the wall.
+    if (std::abs(exact.points[i].x()) > 8.0f) continue;
     const double error = noisy.beams[i].range - exact.beams[i].range;
     sum += error, squares += error * error, count += 1.0;
   }

@@ -29,8 +29,9 @@ struct BeamReturn {
 };
 
 /// What one beam of a sensor meets in the world and what the sensor makes of it: transparent
-/// materials let beams pass by chance, glossy patches mirror them (the sensor then reports the
-/// length of the detour straight ahead: under the road), weak returns are lost.
+/// materials let beams pass by chance, beams as wide as they are straddle edges (a return then lies
+/// between both surfaces), glossy patches mirror them (the sensor then reports the length of the
+/// detour straight ahead: under the road), weak returns are lost.
 class Beam {
  public:
   /// `noise` off: every beam gives the exact range of the first surface.
@@ -43,6 +44,8 @@ class Beam {
  private:
   RayHit firstOpaque(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double share,
                      std::uint64_t key) const;
+  double straddled(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double share,
+                   double range, std::uint64_t key) const;
   double mirroredDetour(const Eigen::Vector3d& point, const Eigen::Vector3d& direction,
                         const RayHit& hit, double share) const;
   bool isLost(double reflected, double range, std::uint64_t key) const;

@@ -28,7 +28,8 @@ struct SimulationOptions {
   /// Whether the robot's motion within the sweep is taken out of the points, as in KITTI odometry
   /// and SemanticKITTI. Objects that move stay smeared either way.
   bool compensated = true;
-  /// Whether the sensor errs: range noise, drop-out, mirror returns. Off for closed-form tests.
+  /// Whether the sensor errs: range noise, drop-out, beams that pass leaves and panes or straddle
+  /// edges, mirror returns. Off for closed-form tests.
   bool sensorNoise = true;
   /// Threads that cast rays; 0 = all cores.
   int threads = 0;
@@ -69,6 +70,9 @@ struct SimulatedScan {
 /// Casts the rays of a spinning LiDAR through a procedural world, scan by scan. Rolling shutter:
 /// the sweep starts at the rear, runs clockwise and takes 0.1 s; the time stamp is its middle, when
 /// the sensor looks ahead. The map frame has z up and the ground near the start at z = 0.
+/// The bytes are the same for any number of threads and on every x86-64 processor, up to what the
+/// last bits of the C library's functions can change; on other processors single returns at the
+/// edges of things may differ.
 class Simulator {
  public:
   /// Builds the world. Throws UserError for an unknown scene or sensor and values out of range.
