@@ -43,7 +43,8 @@ FrameBuffer::FrameBuffer(int width, int height) {
   if (width % 4 != 0 || width <= 0 || height <= 0)
     throw std::logic_error("FrameBuffer: the width must be a multiple of 4");
   // Mesa's software renderer lowers MRPT's mediump shaders to 16-bit floats on processors that have
-  // them, and then mistakes the order of depths. Without the capability it does not.
+  // them: depths get coarse, and pictures differ between machines. Without the capability they are
+  // exact and the same everywhere.
   ::setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 0);
   try {
     renderer_ =

@@ -3,6 +3,7 @@
 
 #include <toss/render/PointSample.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "LineDrawing.h"
@@ -18,6 +19,8 @@ constexpr double kOverlap = 1.4;
 RenderOptions checked(RenderOptions options) {
   options.check();
   options.width -= options.width % 4;
+  // Larger frame buffers would take gigabytes, and such pictures are fine as they are.
+  if (std::max(options.width, options.height) > 4096) options.supersampling = 1;
   return options;
 }
 
