@@ -142,6 +142,25 @@ TEST(TrackerMotion, TracesOfGroundAreNoMovers) {
   EXPECT_EQ(scene.motionOf(kFirst), MotionClass::Static);
 }
 
+TEST(TrackerMotion, WhatWandersBehindAnOpeningIsNoMover) {
+  Tracker open(TrackingOptions{}), hidden(TrackingOptions{});
+  for (int scan = 0; scan < 40; ++scan) {
+    Detection detection = detectionOf(standingBox(0.2 * scan, 0.0, 1.5, 0.4, 1.5));
+    open.update(0.1 * scan, {detection});
+    detection.occludedLeft = detection.occludedRight = 0.8f;
+    hidden.update(0.1 * scan, {detection});
+  }
+  EXPECT_TRUE(isDynamic(open.tracks().front().motion));
+  EXPECT_EQ(hidden.tracks().front().motion, MotionClass::Static);
+}
+
+TEST(TrackerMotion, SingleColumnsOfAWallAreNoMovers) {
+  TrackedScene scene;
+  scene.add([](double t) { return standingBox(2.0 * t, 0.0, 0.08, 0.05, 2.0); });
+  scene.run(4.0);
+  EXPECT_EQ(scene.motionOf(kFirst), MotionClass::Static);
+}
+
 TEST(TrackerMotion, AutoMosRuleAsksForTheLongestEdge) {
   MotionOptions options;
   options.rule = MotionRule::AutoMos;

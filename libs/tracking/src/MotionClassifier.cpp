@@ -25,7 +25,7 @@ bool movesByTests(const MotionEvidence& evidence, const MotionOptions& options,
   const std::vector<TimedBox>& boxes = evidence.recent();
   if (static_cast<int>(boxes.size()) < options.minHits ||
       boxes.back().time - boxes.front().time < options.minAge ||
-      evidence.medianHeight() < options.minHeight) {
+      evidence.medianHeight() < options.minHeight || evidence.medianExtent() < options.minExtent) {
     return false;
   }
   const double extent = options.extentFactor * evidence.medianExtent();
@@ -36,7 +36,8 @@ bool movesByTests(const MotionEvidence& evidence, const MotionOptions& options,
          motion.displacement > jitterFactor * (motion.scatter + kRangeNoise) &&
          motion.displacement >= options.minPathEfficiency * evidence.recentPathLength() &&
          motion.lagging >= options.faceShare * demanded &&
-         motion.lagging >= options.faceRatio * motion.leading;
+         motion.lagging >= options.faceRatio * motion.leading &&
+         evidence.recentHidden() <= options.maxHidden;
 }
 
 bool moves(const MotionEvidence& evidence, const MotionOptions& options, double jitterFactor) {

@@ -2,6 +2,7 @@
 #include <toss/tracking/MotionEvidence.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace toss {
 namespace {
@@ -24,13 +25,21 @@ void MotionEvidence::add(const MotionObservation& observation) {
   heights_.add(measured.height);
   recent_.push_back({observation.time, measured});
   pathAt_.push_back(pathLength_);
+  hidden_.push_back(observation.hidden);
   forgetBefore(observation.time - window_);
+}
+
+double MotionEvidence::recentHidden() const {
+  const double sum = std::accumulate(hidden_.begin(), hidden_.end(), 0.0);
+  return hidden_.empty() ? 0.0 : sum / static_cast<double>(hidden_.size());
 }
 
 void MotionEvidence::forgetBefore(double time) {
   const auto kept = std::find_if(recent_.begin(), recent_.end(),
                                  [time](const TimedBox& timed) { return timed.time >= time; });
-  pathAt_.erase(pathAt_.begin(), pathAt_.begin() + (kept - recent_.begin()));
+  const std::ptrdiff_t gone = kept - recent_.begin();
+  pathAt_.erase(pathAt_.begin(), pathAt_.begin() + gone);
+  hidden_.erase(hidden_.begin(), hidden_.begin() + gone);
   recent_.erase(recent_.begin(), kept);
 }
 

@@ -21,6 +21,10 @@ void visitTests(MotionOptions& options, OptionVisitor& visitor) {
   visitor.real({"min_height", "m", "least median height; larger rejects more ground and kerbs",
                 "measured on real scans"},
                options.minHeight, 0.0, 100.0);
+  visitor.real({"min_extent", "m",
+                "least median longer edge; larger rejects more walls seen at grazing angles",
+                "measured on simulated scans"},
+               options.minExtent, 0.0, 100.0);
   visitor.real({"extent_factor", "", "displacement demanded, in longer edges of the box",
                 "paper section 3DMOT, spec section 6"},
                options.extentFactor, 0.0, 100.0);
@@ -46,6 +50,11 @@ void visitTests(MotionOptions& options, OptionVisitor& visitor) {
                 "more views that merely grow",
                 "measured on real scans"},
                options.faceRatio, 0.0, 1.0);
+  visitor.real({"max_hidden", "",
+                "largest share of the outline that something nearer hides; smaller rejects more "
+                "views through openings",
+                "measured on real scans, spec section 3.5"},
+               options.maxHidden, 0.0, 1.0);
 }
 
 void visitStrong(MotionOptions& options, OptionVisitor& visitor) {

@@ -50,7 +50,7 @@ struct Tracker::Implementation {
   void takeDetections();
   void takeDetection(TrackState& state, std::size_t detection);
   void showEstimate(TrackState& state);
-  void observeMotion(TrackState& state, const Box& measured);
+  void observeMotion(TrackState& state, const Detection& detection);
   void endTracks();
   void startTracks();
   void startTrack(std::size_t detection);
@@ -193,11 +193,13 @@ void Tracker::Implementation::takeDetection(TrackState& state, std::size_t detec
   track.misses = 0;
   track.confirmed = track.hits >= tracking.lifecycle.minHits;
   trackOfDetection[detection] = track.id;
-  observeMotion(state, measured);
+  observeMotion(state, (*detections)[detection]);
 }
 
-void Tracker::Implementation::observeMotion(TrackState& state, const Box& measured) {
-  state.evidence.add({time, state.filter.box(), measured});
+void Tracker::Implementation::observeMotion(TrackState& state, const Detection& detection) {
+  const double hidden = 0.5 * (static_cast<double>(detection.occludedLeft) +
+                               static_cast<double>(detection.occludedRight));
+  state.evidence.add({time, state.filter.box(), detection.box, hidden});
   Track& track = state.track;
   if (track.motion != MotionClass::Strong) {
     track.motion = std::max(track.motion, classifyMotion(state.evidence, motion));
@@ -236,7 +238,7 @@ void Tracker::Implementation::startTrack(std::size_t detection) {
   state.track.hits = 1;
   state.track.confirmed = tracking.lifecycle.minHits <= 1;
   trackOfDetection[detection] = state.track.id;
-  observeMotion(state, measured);
+  observeMotion(state, (*detections)[detection]);
   showEstimate(state);
   states.push_back(std::move(state));
 }

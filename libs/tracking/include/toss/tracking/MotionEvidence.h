@@ -15,6 +15,8 @@ struct MotionObservation {
   double time = 0.0;
   /// Box after the filter's update and box as measured, map frame.
   Box estimated, measured;
+  /// Share of the instance's outline that something nearer hides, 0 to 1.
+  double hidden = 0.0;
 };
 
 /// Summary of a trace's detections: of its whole life, and of a window of time that moves along.
@@ -43,6 +45,8 @@ class MotionEvidence {
   const std::vector<TimedBox>& recent() const { return recent_; }
   /// Path length within the window [m].
   double recentPathLength() const { return recent_.empty() ? 0.0 : pathLength_ - pathAt_.front(); }
+  /// Mean share of the outline that something nearer hid, over the window.
+  double recentHidden() const;
 
  private:
   void forgetBefore(double time);
@@ -54,6 +58,8 @@ class MotionEvidence {
   std::vector<TimedBox> recent_;
   /// Path length at each of the recent boxes [m].
   std::vector<double> pathAt_;
+  /// Hidden share of each of the recent boxes.
+  std::vector<double> hidden_;
   RunningMedian extents_, heights_;
 };
 
