@@ -28,6 +28,15 @@ double lineUnit(const cv::Mat& picture) {
   return std::max(0.5, picture.rows / 1080.0);
 }
 
+bool goesSomewhere(const TrackPath& path) {
+  constexpr std::size_t kFewestBoxes = 5;
+  constexpr double kLeastDistance = 1.5;
+  return path.boxes.size() >= kFewestBoxes &&
+         std::any_of(path.boxes.begin(), path.boxes.end(), [&](const Box& box) {
+           return (box.center - path.boxes.front().center).norm() > kLeastDistance;
+         });
+}
+
 }  // namespace
 
 std::array<std::pair<Eigen::Vector3d, Eigen::Vector3d>, 12> edgesOf(const Box& box) {
@@ -68,13 +77,13 @@ void drawPolyline(cv::Mat& picture, const Camera& camera,
 }
 
 void drawTrack(cv::Mat& picture, const Camera& camera, const TrackPath& path) {
+  if (!goesSomewhere(path)) return;
   const Color color = trackColor(path.track);
   std::vector<Eigen::Vector3d> centers;
   for (const Box& box : path.boxes) centers.push_back(box.center);
   drawPolyline(picture, camera, centers, color, 1.0);
-  for (const Box& box : shownBoxes(path))
-    for (const auto& [from, to] : edgesOf(box))
-      drawPolyline(picture, camera, {from, to}, color, 1.0);
+  for (const auto& [from, to] : edgesOf(path.boxes.back()))
+    drawPolyline(picture, camera, {from, to}, color, 1.0);
 }
 
 }  // namespace toss

@@ -26,7 +26,8 @@ std::vector<Box> shownBoxes(const TrackPath& path);
 void drawPolyline(cv::Mat& picture, const Camera& camera,
                   const std::vector<Eigen::Vector3d>& vertices, const Color& color, double width);
 
-/// Draws the path of the trace's centre and its shown boxes.
+/// Draws the path of the trace's centre and its last box. Leaves out traces of fewer than 5 boxes
+/// and such as stay within 1.5 m: over a large map they would hide what was removed.
 void drawTrack(cv::Mat& picture, const Camera& camera, const TrackPath& path);
 
 }  // namespace toss

@@ -16,8 +16,8 @@ constexpr const char* kSnapshotNames[] = {"static_top.png", "static_perspective.
 
 /// Writes the four pictures of a run into `folder`, which is made if it is missing: the static map
 /// from above and in perspective, and the same two with what was removed in red and the ways of the
-/// moving traces. Same content, same bytes. Throws RenderUnavailable where drawing is impossible,
-/// UserError for options out of range and for files that can not be written.
+/// moving traces that went somewhere. Same content, same bytes. Throws RenderUnavailable where
+/// drawing is impossible, UserError for options out of range and for files that can not be written.
 void renderSnapshots(const MapContent& content, const std::filesystem::path& folder,
                      const RenderOptions& options);
 
