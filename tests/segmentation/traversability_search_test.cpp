@@ -63,8 +63,9 @@ TEST(TraversabilitySearch, IslandsFollowThePolicy) {
       return node.isGround() && node.mean.x() > 4.0f;
     });
   };
-  EXPECT_GT(groundWith(IslandPolicy::AcceptIfWeight, 300.0f), 0);
-  EXPECT_EQ(groundWith(IslandPolicy::AcceptIfWeight, 100.0f), 0);
+  // 200 for squares of 8 m is 12.5 for those of 2 m.
+  EXPECT_GT(groundWith(IslandPolicy::AcceptIfWeight, 13.0f), 0);
+  EXPECT_EQ(groundWith(IslandPolicy::AcceptIfWeight, 12.0f), 0);
   EXPECT_GT(groundWith(IslandPolicy::Accept, 100.0f), 0);
   EXPECT_EQ(groundWith(IslandPolicy::Reject, 300.0f), 0);
 }

@@ -75,7 +75,9 @@ void visitPlanes(GroundOptions& options, OptionVisitor& visitor) {
 }
 
 void visitSearch(GroundOptions& options, OptionVisitor& visitor) {
-  visitor.real({"th_weight", "", "Least weight of a patch that the search does not reach.",
+  visitor.real({"th_weight", "",
+                "Least weight of a patch that the search does not reach, for squares of 8 m; it "
+                "scales with their area.",
                 "TRAVEL, ambiguity 7"},
                options.islandWeight, 0.0, 1e9);
   visitor.real({"th_lcc_normal", "rad/m",

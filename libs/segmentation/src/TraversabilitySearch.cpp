@@ -10,6 +10,8 @@ namespace {
 
 /// Squares around the sensor in which the search may start.
 constexpr int kStartRings = 2;
+/// Side of the squares [m] for which th_weight is meant.
+constexpr float kWeightedSide = 8.0f;
 
 class Search {
  public:
@@ -56,8 +58,10 @@ class Search {
 
   bool isIslandToAccept(int node) {
     if (!at(node).isGround() || state(node) != State::Unseen) return false;
-    return options_.islandPolicy == IslandPolicy::Accept ||
-           at(node).weight > static_cast<float>(options_.islandWeight);
+    if (options_.islandPolicy == IslandPolicy::Accept) return true;
+    // The weight of a flat patch grows with its area.
+    const float side = field_.cellSize() / kWeightedSide;
+    return at(node).weight > static_cast<float>(options_.islandWeight) * side * side;
   }
 
   void accept(int node) {

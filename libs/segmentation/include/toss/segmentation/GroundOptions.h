@@ -45,7 +45,7 @@ struct GroundOptions : Options {
   double minNormalZ = 0.80;
   /// Least spread (standard deviation) of a plane's returns across their main direction [m].
   double minSpread = 0.15;
-  /// Least weight of an island.
+  /// Least weight of an island, for squares of 8 m; it scales with their area.
   double islandWeight = 200.0;
   /// Change of the normal that is traversable [rad per m of distance between the patches].
   double convexityNormal = 0.03;
