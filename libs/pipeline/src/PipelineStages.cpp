@@ -2,6 +2,7 @@
 #include "PipelineStages.h"
 
 #include <toss/tracking/BoundingBoxes.h>
+#include <toss/tracking/Occlusion.h>
 
 #include <algorithm>
 
@@ -34,6 +35,7 @@ void Pipeline::Implementation::segment(const PosedScan& scan) {
 void Pipeline::Implementation::track(const PosedScan& scan) {
   detectInstances(segmented.level, segmented.segmentation, scan.mapFromSensor.translation(),
                   options.boxes, detections);
+  measureOcclusion(segmented.image, segmented.segmentation, detections);
   clock.lap("boxes");
   tracker.update(scan.time, detections);
   records.push_back(builder.build(scan, segmented, detections, tracker));
