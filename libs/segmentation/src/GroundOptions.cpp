@@ -58,8 +58,8 @@ void visitPlanes(GroundOptions& options, OptionVisitor& visitor) {
   visitor.real({"min_buried_path", "m",
                 "Length that a beam must have run under the ground, having passed through ground "
                 "that others meet, for its return to be below it; shorter ones end in ditches and "
-                "beyond edges.",
-                "measured, spec 2.8"},
+                "beyond edges. 0 asks for neither.",
+                "measured, spec 2.8; 0 = TRAVEL"},
                options.minBuriedPath, 0.0, 100.0);
   visitor.real({"th_normal", "",
                 "Least vertical component of a plane's normal: cosine of the steepest slope that "

@@ -135,7 +135,9 @@ void GroundSegmentation::Implementation::labelPoints(const LevelPoints& points,
     const float under = (1.0f - back.shareAbove) * beam.norm();
     if (under < static_cast<float>(options.minBuriedPath)) continue;
     const int node = fineField.nodeOf(beam.x() * back.shareAbove, beam.y() * back.shareAbove);
-    if (node >= 0 && groundReturns[static_cast<std::size_t>(node)] >= kGroundReturns) {
+    const bool throughGround =
+        node >= 0 && groundReturns[static_cast<std::size_t>(node)] >= kGroundReturns;
+    if (throughGround || options.minBuriedPath == 0.0) {
       segmentation.pointClass[point] = PointClass::BelowGround;
     }
   }
