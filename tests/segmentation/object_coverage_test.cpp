@@ -91,6 +91,7 @@ TEST(ObjectCoverage, LeftoversJoinTheNearestInstanceInReach) {
   ObjectOptions options;
   // Every return a node of its own, so that brute force needs no notion of mates.
   options.pixelMerge = 0.0;
+  options.minPointsNear = 10, options.minPointsFar = 3;
   for (unsigned seed = 0; seed < 5; ++seed) {
     ObjectTestScan clustered = clutter(seed), attached = clutter(seed);
     options.attachDistance = 0.0;
@@ -134,11 +135,13 @@ TEST(ObjectCoverage, SeesAnObjectInThePixelsOfGround) {
   EXPECT_EQ(scan.segmentation.instance[1], 1);
 }
 
-TEST(ObjectCoverage, ThreeReturnsFarOutAreAnInstanceAndNearByAreNot) {
+TEST(ObjectCoverage, FewReturnsAreAnInstanceFarOutAndNotNearBy) {
+  ObjectOptions options;
+  options.minPointsNear = 10, options.minPointsFar = 3;
   for (const bool far : {false, true}) {
     ObjectTestScan scan = ObjectTestScan::hdl64();
     for (int column = 100; column < 103; ++column) scan.add(5, column, far ? 45.0 : 6.0);
-    segment(scan);
+    segment(scan, options);
     EXPECT_EQ(scan.segmentation.instanceCount, far ? 1 : 0);
     const PointClass expected = far ? PointClass::Instance : PointClass::Unclustered;
     EXPECT_EQ(scan.segmentation.pointClass[0], expected);

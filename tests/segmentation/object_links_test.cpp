@@ -26,9 +26,13 @@ bool linked(const ObjectTestScan& scan, const LinkRules& rules, std::size_t a, s
   const float limit = rowGap == 0 ? std::min(reachA.horizontal, reachB.horizontal)
                                   : std::min(reachA.vertical, reachB.vertical);
   const float dx = scan.points.x[a] - scan.points.x[b], dy = scan.points.y[a] - scan.points.y[b];
-  return rowGap <= rules.rowWindow && columnGap <= std::min(reachA.window, reachB.window) &&
-         dx * dx + dy * dy < limit * limit &&
-         (rowGap <= 1 || std::abs(scan.points.z[a] - scan.points.z[b]) <= rules.maxHeightGap);
+  const float distance = std::hypot(dx, dy), dz = std::abs(scan.points.z[a] - scan.points.z[b]);
+  const bool near = rowGap <= rules.rowWindow &&
+                    columnGap <= std::min(reachA.window, reachB.window) && distance < limit &&
+                    (rowGap <= 1 || dz <= rules.maxHeightGap);
+  const bool grazed = rowGap == 1 && columnGap <= 1 && distance < rules.surfaceDistance &&
+                      std::max(scan.points.z[a], scan.points.z[b]) <= -rules.surfaceDepth;
+  return near || grazed;
 }
 
 /// Returns that are nodes, by pixel; and for each return the node it shares: the first one of its
@@ -131,6 +135,13 @@ TEST(ObjectLinks, ClustersOfATiltedSensorEqualBruteForce) {
   expectBruteForce(bareClustering(), 0.35);
 }
 
+TEST(ObjectLinks, GrazedSurfacesEqualBruteForce) {
+  ObjectOptions options = bareClustering();
+  options.surfaceDistance = 2.0;
+  options.surfaceDepth = 0.2;
+  expectBruteForce(options, 0.0);
+}
+
 TEST(ObjectLinks, ConstantClustersEqualBruteForce) {
   ObjectOptions options = bareClustering();
   options.metric = LinkMetric::Constant;
@@ -146,21 +157,43 @@ TEST(ObjectLinks, WideWindowsAndTightHeightsEqualBruteForce) {
   expectBruteForce(options, 0.1);
 }
 
-TEST(LinkRules, DistancesFollowTheAngleBetweenTheirBounds) {
-  // 1.2 x 0.5 degrees within rows, 1.5 x 0.5 degrees between them (spec section 3.3).
+/// Distances of spec section 3.3: 1.2 and 1.5 times half a degree, 0.4 to 1.5 times the base.
+ObjectOptions specifiedLinks() {
   ObjectOptions options;
-  options.horizontalSteps = 3.0, options.verticalSteps = 2.0;
+  options.horizontalAngle = 1.2 * 0.00873, options.verticalAngle = 1.5 * 0.00873;
   options.nearFactor = 0.4, options.farFactor = 1.5;
   options.horizontalDistance = 0.4, options.verticalDistance = 0.5;
-  ObjectTestScan scan(3, 1000, 0.01, -0.01);
-  const LinkRules rules(options, scan.image);
+  return options;
+}
+
+TEST(LinkRules, DistancesFollowTheAngleBetweenTheirBounds) {
+  ObjectTestScan scan(3, 2048, 0.01, -0.01);
+  const LinkRules rules(specifiedLinks(), scan.image);
   EXPECT_FLOAT_EQ(rules.rowStep, 0.01f);
   EXPECT_FLOAT_EQ(rules.reach(1.0f).horizontal, 0.16f);
   EXPECT_FLOAT_EQ(rules.reach(1.0f).vertical, 0.2f);
-  EXPECT_NEAR(rules.reach(20.0f).horizontal, 20.0 * 3.0 * 2.0 * M_PI / 1000.0, 1e-5);
-  EXPECT_NEAR(rules.reach(20.0f).vertical, 20.0 * 2.0 * 0.01, 1e-5);
+  EXPECT_NEAR(rules.reach(20.0f).horizontal, 20.0 * 1.2 * 0.00873, 1e-5);
+  EXPECT_NEAR(rules.reach(20.0f).vertical, 20.0 * 1.5 * 0.00873, 1e-5);
   EXPECT_FLOAT_EQ(rules.reach(80.0f).horizontal, 0.6f);
   EXPECT_FLOAT_EQ(rules.reach(80.0f).vertical, 0.75f);
+}
+
+TEST(LinkRules, AnglesSpanTheBeamsOfSparseSensors) {
+  ObjectTestScan scan(3, 512, 0.04, -0.04);
+  const LinkRules rules(specifiedLinks(), scan.image);
+  EXPECT_NEAR(rules.reach(15.0f).horizontal, 15.0 * 2.5 * 2.0 * M_PI / 512.0, 1e-5);
+  EXPECT_NEAR(rules.reach(15.0f).vertical, 15.0 * 0.04, 1e-5);
+}
+
+TEST(LinkRules, ConstantDistancesDoNotDependOnRange) {
+  ObjectOptions options;
+  options.metric = LinkMetric::Constant;
+  options.horizontalDistance = 0.4, options.verticalDistance = 0.5;
+  const LinkRules rules(options, ObjectTestScan::hdl64().image);
+  for (const float range : {1.0f, 20.0f, 80.0f}) {
+    EXPECT_FLOAT_EQ(rules.reach(range).horizontal, 0.4f);
+    EXPECT_FLOAT_EQ(rules.reach(range).vertical, 0.5f);
+  }
 }
 
 TEST(LinkRules, WindowSpansTheLinkDistance) {
@@ -181,6 +214,10 @@ TEST(LinkRules, FewestReturnsShrinkWithRange) {
   EXPECT_EQ(rules.minPoints(60.0f), 3);
   // At 25 m a square of 0.3 m takes 0.3 / (25 * 0.00307) = 3.9 columns by 1.6 rows.
   EXPECT_EQ(rules.minPoints(25.0f), 6);
+  options.splitMinSize = 0.6;
+  const LinkRules larger(options, ObjectTestScan::hdl64().image);
+  EXPECT_EQ(larger.minPointsOfPart(25.0f), 25);
+  EXPECT_EQ(larger.minPointsOfPart(200.0f), 3);
 }
 
 }  // namespace

@@ -101,10 +101,41 @@ TEST(ObjectSegmentation, CutsAPersonFromALongHedge) {
   for (const bool split : {false, true}) {
     ObjectTestScan scan = ObjectTestScan::hdl64();
     scan.cast(scene);
-    options.splitExtent = split ? 20.0 : 0.0;
+    options.splitExtent = split ? 6.0 : 0.0;
     segment(scan, options);
     EXPECT_EQ(onlyInstance(scan, 0) != onlyInstance(scan, 1), split);
   }
+}
+
+TEST(ObjectSegmentation, KeepsACrumbWithTheTruckItIsSplitFrom) {
+  // A mirror 0.15 m from the truck's side: within the link distance, beyond half of it.
+  const std::vector<SceneBox> scene = {standing(9.0, 12.0, 12.0, 2.5, 3.8),
+                                       {{3.0, 10.4, -0.2}, {3.2, 10.6, 0.1}}};
+  ObjectOptions options;
+  for (const double splitMinSize : {0.0, 0.3}) {
+    ObjectTestScan scan = ObjectTestScan::hdl64();
+    scan.cast(scene);
+    options.splitMinSize = splitMinSize;
+    segment(scan, options);
+    const bool together = scan.instancesOf(0) == scan.instancesOf(1);
+    EXPECT_EQ(together, splitMinSize > 0.0);
+  }
+}
+
+TEST(ObjectSegmentation, KeepsABonnetWithItsCar) {
+  // Seen from 6 m the rows lie farther apart on the flat bonnet than the link distance.
+  ObjectTestScan scan = ObjectTestScan::hdl64();
+  const std::vector<SceneBox> car = {standing(8.0, 0.0, 4.2, 1.8, 0.8),
+                                     standing(9.0, 0.0, 2.2, 1.8, 1.8)};
+  scan.cast(car);
+  ObjectOptions options;
+  options.surfaceDistance = 0.0;
+  segment(scan, options);
+  EXPECT_GT(scan.segmentation.instanceCount, 1);
+  ObjectTestScan again = ObjectTestScan::hdl64();
+  again.cast(car);
+  segment(again);
+  EXPECT_EQ(again.segmentation.instanceCount, 1);
 }
 
 TEST(ObjectSegmentation, NumbersInstancesByFirstPixel) {

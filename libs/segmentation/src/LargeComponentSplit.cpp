@@ -19,20 +19,14 @@ bool anyTwoApart(const std::vector<std::int32_t>& parts, const std::vector<Compo
 std::int32_t LargeComponentSplit::split(const ObjectNodes& nodes, const LinkRules& rules,
                                         std::vector<std::int32_t>& component, std::int32_t count) {
   if (!selectLarge(nodes, component, count)) return count;
-  selectNodes(nodes, selected_, factor_, nodes_, source_);
-  const std::int32_t parts = clustering_.cluster(nodes_, rules, partOfNode_);
-  measureComponents(nodes_, partOfNode_, parts, parts_);
-  wholeOfPart_.resize(static_cast<std::size_t>(parts));
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    wholeOfPart_[static_cast<std::size_t>(partOfNode_[i])] =
-        component[static_cast<std::size_t>(source_[i])];
-  }
+  cluster(nodes, rules, component);
   judge(rules, count);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     std::int32_t& c = component[static_cast<std::size_t>(source_[i])];
-    if (accepted_[static_cast<std::size_t>(c)]) c = count + partOfNode_[i];
+    if (!verdicts_[static_cast<std::size_t>(c)].split) continue;
+    c = count + target_[static_cast<std::size_t>(partOfNode_[i])];
   }
-  return renumberByFirstNode(component, count + parts, scratch_);
+  return renumberByFirstNode(component, count + static_cast<std::int32_t>(parts_.size()), scratch_);
 }
 
 bool LargeComponentSplit::selectLarge(const ObjectNodes& nodes,
@@ -50,17 +44,42 @@ bool LargeComponentSplit::selectLarge(const ObjectNodes& nodes,
   return any;
 }
 
-void LargeComponentSplit::judge(const LinkRules& rules, std::int32_t count) {
-  partsOfWhole_.resize(static_cast<std::size_t>(count));
-  for (auto& parts : partsOfWhole_) parts.clear();
-  for (std::size_t p = 0; p < parts_.size(); ++p) {
-    if (parts_[p].returns < rules.minPoints(parts_[p].nearest)) continue;
-    partsOfWhole_[static_cast<std::size_t>(wholeOfPart_[p])].push_back(
-        static_cast<std::int32_t>(p));
+void LargeComponentSplit::cluster(const ObjectNodes& nodes, const LinkRules& rules,
+                                  const std::vector<std::int32_t>& component) {
+  selectNodes(nodes, selected_, factor_, nodes_, source_);
+  LinkRules shorter = rules;
+  shorter.surfaceDistance *= factor_;
+  const std::int32_t parts = clustering_.cluster(nodes_, shorter, partOfNode_);
+  measureComponents(nodes_, partOfNode_, parts, parts_);
+  wholeOfPart_.resize(parts_.size());
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    wholeOfPart_[static_cast<std::size_t>(partOfNode_[i])] =
+        component[static_cast<std::size_t>(source_[i])];
   }
-  accepted_.resize(static_cast<std::size_t>(count));
-  for (std::size_t w = 0; w < accepted_.size(); ++w) {
-    accepted_[w] = anyTwoApart(partsOfWhole_[w], parts_);
+}
+
+void LargeComponentSplit::judge(const LinkRules& rules, std::int32_t count) {
+  verdicts_.resize(static_cast<std::size_t>(count));
+  for (Verdict& verdict : verdicts_) {
+    verdict.parts.clear();
+    verdict.largest = -1;
+  }
+  const auto returnsOf = [&](std::int32_t p) {
+    return parts_[static_cast<std::size_t>(p)].returns;
+  };
+  target_.assign(parts_.size(), -1);
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    const auto part = static_cast<std::int32_t>(p);
+    Verdict& verdict = verdicts_[static_cast<std::size_t>(wholeOfPart_[p])];
+    const bool leads = verdict.largest < 0 || parts_[p].returns > returnsOf(verdict.largest);
+    if (leads) verdict.largest = part;
+    if (parts_[p].returns < rules.minPointsOfPart(parts_[p].nearest)) continue;
+    verdict.parts.push_back(part);
+    target_[p] = part;
+  }
+  for (Verdict& verdict : verdicts_) verdict.split = anyTwoApart(verdict.parts, parts_);
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    if (target_[p] < 0) target_[p] = verdicts_[static_cast<std::size_t>(wholeOfPart_[p])].largest;
   }
 }
 

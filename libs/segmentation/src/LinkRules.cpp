@@ -8,6 +8,8 @@ namespace {
 
 /// Row step of an image of a single row, where it plays no part.
 constexpr float kSingleRowStep = 0.0073f;
+/// Columns and rows that the link angles span at least, so that neighbours can be linked at all.
+constexpr float kColumnsSpanned = 2.5f, kRowsSpanned = 1.0f;
 
 float meanRowStep(const RangeImage& image) {
   if (image.elevations.size() < 2) return kSingleRowStep;
@@ -24,23 +26,37 @@ LinkRules::LinkRules(const ObjectOptions& options, const RangeImage& image)
       columns(image.columns),
       rowWindow(options.rowWindow),
       maxHeightGap(static_cast<float>(options.maxHeightGap)),
+      surfaceDistance(static_cast<float>(options.surfaceDistance)),
+      surfaceDepth(static_cast<float>(options.surfaceDepth)),
       options_(options),
-      horizontal_(distance(options.horizontalDistance, options.horizontalSteps, columnStep)),
-      vertical_(distance(options.verticalDistance, options.verticalSteps, rowStep)) {}
+      horizontal_(distance(
+          options.horizontalDistance,
+          std::max(static_cast<float>(options.horizontalAngle), kColumnsSpanned * columnStep))),
+      vertical_(
+          distance(options.verticalDistance,
+                   std::max(static_cast<float>(options.verticalAngle), kRowsSpanned * rowStep))) {}
 
-LinkRules::Distance LinkRules::distance(double base, double steps, float step) const {
+LinkRules::Distance LinkRules::distance(double base, float angle) const {
   if (options_.metric == LinkMetric::Constant) {
     return {0.0f, static_cast<float>(base), static_cast<float>(base)};
   }
-  return {static_cast<float>(steps) * step, static_cast<float>(options_.nearFactor * base),
+  return {angle, static_cast<float>(options_.nearFactor * base),
           static_cast<float>(options_.farFactor * base)};
 }
 
+int LinkRules::returnsOn(double size, float range) const {
+  const double distance = std::max(range, 0.1f);
+  const double columnsHit = size / (distance * columnStep), rowsHit = size / (distance * rowStep);
+  return static_cast<int>(std::min(1e6, columnsHit * rowsHit));
+}
+
 int LinkRules::minPoints(float range) const {
-  const double columnsHit = options_.minSize / (std::max(range, 0.1f) * columnStep);
-  const double rowsHit = options_.minSize / (std::max(range, 0.1f) * rowStep);
-  const int expected = static_cast<int>(std::min(1e6, columnsHit * rowsHit));
-  return std::max(options_.minPointsFar, std::min(expected, options_.minPointsNear));
+  return std::max(options_.minPointsFar,
+                  std::min(returnsOn(options_.minSize, range), options_.minPointsNear));
+}
+
+int LinkRules::minPointsOfPart(float range) const {
+  return std::max(minPoints(range), returnsOn(options_.splitMinSize, range));
 }
 
 }  // namespace toss

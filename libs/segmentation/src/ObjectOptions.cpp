@@ -24,14 +24,14 @@ void visitLinks(ObjectOptions& options, OptionVisitor& visitor) {
                 "greatest adaptive distance as multiple of the base; larger merges more far out",
                 "spec section 3.3"},
                options.farFactor, 1.0, 10.0);
-  visitor.real({"horizontal_steps", "columns",
-                "adaptive distance within a row, as angle in column steps; larger merges more",
-                "spec section 3.3 (1.2 x 0.5 degrees)"},
-               options.horizontalSteps, 0.5, 100.0);
-  visitor.real({"vertical_steps", "rows",
-                "adaptive distance between rows, as angle in row steps; larger merges more",
-                "spec section 3.3 (1.5 x 0.5 degrees)"},
-               options.verticalSteps, 0.5, 100.0);
+  visitor.real(
+      {"horizontal_angle", "rad", "adaptive distance within a row over range; larger merges more",
+       "spec section 3.3, widened on real and simulated scans"},
+      options.horizontalAngle, 0.001, 0.5);
+  visitor.real(
+      {"vertical_angle", "rad", "adaptive distance between rows over range; larger merges more",
+       "spec section 3.3, widened on real and simulated scans"},
+      options.verticalAngle, 0.001, 0.5);
   visitor.integer({"row_window", "rows", "how many rows up and down a link reaches",
                    "TRAVEL, spec section 3.6"},
                   options.rowWindow, 1, 64);
@@ -66,17 +66,26 @@ void visitCoverage(ObjectOptions& options, OptionVisitor& visitor) {
       options.maxPoints, 0, 100000000);
 }
 
+void visitSplit(ObjectOptions& options, OptionVisitor& visitor) {
+  visitor.real({"split_extent", "m", "clusters longer than this are clustered again; 0 = never",
+                "spec section 3.4"},
+               options.splitExtent, 0.0, 10000.0);
+  visitor.real(
+      {"split_factor", "", "factor on the link distances when clustering again; smaller cuts more",
+       "spec section 3.4"},
+      options.splitFactor, 0.05, 1.0);
+  visitor.real({"split_min_size", "m",
+                "edge of the square whose number of returns a part needs; larger cuts less",
+                "chosen on real and simulated scans"},
+               options.splitMinSize, 0.0, 10.0);
+}
+
 }  // namespace
 
 void ObjectOptions::visit(OptionVisitor& visitor) {
   visitLinks(*this, visitor);
   visitCoverage(*this, visitor);
-  visitor.real({"split_extent", "m", "clusters longer than this are clustered again; 0 = never",
-                "spec section 3.4"},
-               splitExtent, 0.0, 10000.0);
-  visitor.real({"split_factor", "", "factor on the link distances when clustering again",
-                "spec section 3.4"},
-               splitFactor, 0.05, 1.0);
+  visitSplit(*this, visitor);
 }
 
 }  // namespace toss

@@ -19,17 +19,23 @@ RunLinking::Span RunLinking::runsOf(int row) const {
 void RunLinking::linkWithin(int row) {
   distance_ = &LinkRules::Reach::horizontal;
   heightLimit_ = std::numeric_limits<float>::max();
+  surfaceDistance_ = 0.0f;
   const Span span = runsOf(row);
   for (Index a = span.begin; a < span.end; ++a) {
     const Index last = runs_[at(a)].lastColumn + runs_[at(a)].reach.window;
-    for (Index b = a + 1; b < span.end && runs_[at(b)].firstColumn <= last; ++b) link(a, b, 0);
+    const Interval ranges = rangesInReach(runs_[at(a)]);
+    for (Index b = a + 1; b < span.end && runs_[at(b)].firstColumn <= last; ++b) {
+      if (ranges.meets(runs_[at(b)])) link(a, b, 0);
+    }
   }
   sweepSeam(span, span);
 }
 
 void RunLinking::linkBetween(int upper, int lower) {
   distance_ = &LinkRules::Reach::vertical;
-  heightLimit_ = lower - upper > 1 ? rules_.maxHeightGap : std::numeric_limits<float>::max();
+  const bool neighbours = lower - upper == 1;
+  heightLimit_ = neighbours ? std::numeric_limits<float>::max() : rules_.maxHeightGap;
+  surfaceDistance_ = neighbours ? rules_.surfaceDistance : 0.0f;
   sweep(runsOf(upper), runsOf(lower), 0);
   sweepSeam(runsOf(upper), runsOf(lower));
   sweepSeam(runsOf(lower), runsOf(upper));
@@ -51,23 +57,27 @@ void RunLinking::sweep(Span first, Span second, Index shift) {
   for (Index a = first.begin; a < first.end; ++a) {
     const Index left = runs_[at(a)].firstColumn - shift, right = runs_[at(a)].lastColumn - shift;
     const Index window = runs_[at(a)].reach.window;
+    const Interval ranges = rangesInReach(runs_[at(a)]);
     while (beside < second.end && runs_[at(beside)].lastColumn < left) ++beside;
     for (Index b = beside; b < second.end && runs_[at(b)].firstColumn <= right + window; ++b) {
-      link(a, b, shift);
+      if (ranges.meets(runs_[at(b)])) link(a, b, shift);
     }
     for (Index b = beside; b > second.begin && runs_[at(b - 1)].lastColumn >= left - window; --b) {
-      link(a, b - 1, shift);
+      if (ranges.meets(runs_[at(b - 1)])) link(a, b - 1, shift);
     }
   }
 }
 
+RunLinking::Interval RunLinking::rangesInReach(const RowRun& run) const {
+  // Horizontal distance is at least the difference of the ranges. A hair more, for rounding. The
+  // run's own link distance bounds that of every pair it is in.
+  const float limit = 1.001f * std::max(run.reach.*distance_, surfaceDistance_) + 1e-4f;
+  return {run.nearest - limit, run.farthest + limit};
+}
+
 void RunLinking::link(Index a, Index b, Index shift) {
-  const RowRun &first = runs_[at(a)], &second = runs_[at(b)];
-  // Horizontal distance is at least the difference of the ranges. A hair more, for rounding.
-  const float limit = 1.001f * std::min(first.reach.*distance_, second.reach.*distance_) + 1e-4f;
-  const float apart = std::max(first.nearest - second.farthest, second.nearest - first.farthest);
-  if (apart > limit || sets_.find(a) == sets_.find(b)) return;
-  if (touches(first, second, shift)) sets_.unite(a, b);
+  if (sets_.find(a) == sets_.find(b)) return;
+  if (touches(runs_[at(a)], runs_[at(b)], shift)) sets_.unite(a, b);
 }
 
 bool RunLinking::touches(const RowRun& a, const RowRun& b, Index shift) const {
@@ -87,8 +97,15 @@ bool RunLinking::touches(const RowRun& a, const RowRun& b, Index shift) const {
 }
 
 bool RunLinking::linkedNodes(const ObjectNode& a, const ObjectNode& b, Index shift) const {
-  return linked(a, b, distance_, std::abs(a.column - shift - b.column)) &&
-         std::abs(a.z - b.z) <= heightLimit_;
+  const Index columnGap = std::abs(a.column - shift - b.column);
+  return (linked(a, b, distance_, columnGap) && std::abs(a.z - b.z) <= heightLimit_) ||
+         onOneSurface(a, b, columnGap);
+}
+
+bool RunLinking::onOneSurface(const ObjectNode& a, const ObjectNode& b, Index columnGap) const {
+  if (columnGap > 1 || std::max(a.z, b.z) > -rules_.surfaceDepth) return false;
+  const float dx = a.x - b.x, dy = a.y - b.y;
+  return dx * dx + dy * dy < surfaceDistance_ * surfaceDistance_;
 }
 
 }  // namespace toss

@@ -29,7 +29,14 @@ class RunLinking {
   struct Span {
     Index begin, end;
   };
+  /// Ranges [m] from the sensor.
+  struct Interval {
+    float low, high;
+    bool meets(const RowRun& run) const { return run.nearest <= high && run.farthest >= low; }
+  };
   Span runsOf(int row) const;
+  /// Ranges at which nodes linked with the run can lie.
+  Interval rangesInReach(const RowRun& run) const;
   static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
   /// Links the runs of two rows; `second` lies beside `first` when moved by `shift` columns.
   void sweep(Span first, Span second, Index shift);
@@ -39,14 +46,15 @@ class RunLinking {
   void link(Index a, Index b, Index shift);
   bool touches(const RowRun& a, const RowRun& b, Index shift) const;
   bool linkedNodes(const ObjectNode& a, const ObjectNode& b, Index shift) const;
+  bool onOneSurface(const ObjectNode& a, const ObjectNode& b, Index columnGap) const;
 
   const ObjectNodes& nodes_;
   const RowRuns& runs_;
   const LinkRules& rules_;
   UnionFind& sets_;
-  /// Link distance and height limit [m] that hold for the two rows at hand.
+  /// Link distance, height limit and surface distance [m] that hold for the two rows at hand.
   float LinkRules::Reach::*distance_ = nullptr;
-  float heightLimit_ = 0.0f;
+  float heightLimit_ = 0.0f, surfaceDistance_ = 0.0f;
 };
 
 }  // namespace toss

@@ -15,6 +15,8 @@ namespace toss {
 ///   - their horizontal distance is below the link distance of each: `horizontal` within a row,
 ///     `vertical` between rows,
 ///   - they differ in height by at most maxHeightGap where rows lie between theirs.
+/// Returns of neighbouring rows and at most one column apart, both at least surfaceDepth below the
+/// sensor, are linked as well if their horizontal distance is below surfaceDistance.
 /// The link distances follow spec section 3.3; as they grow with range, the smaller of the two is
 /// that of the nearer return.
 class LinkRules {
@@ -43,14 +45,16 @@ class LinkRules {
     return steps(distance, range, rowStep, rows);
   }
 
-  /// Fewest returns of an instance whose nearest return is at `range` [m].
+  /// Fewest returns of an instance, and of a part split off, whose nearest return is at `range`
+  /// [m].
   int minPoints(float range) const;
+  int minPointsOfPart(float range) const;
 
   /// Angle [rad] between neighbouring columns, and between neighbouring rows on average.
   float columnStep, rowStep;
   int rows, columns, rowWindow;
   /// [m]
-  float maxHeightGap;
+  float maxHeightGap, surfaceDistance, surfaceDepth;
 
  private:
   /// Link distance: range times angle, within bounds.
@@ -58,7 +62,8 @@ class LinkRules {
     float angle, least, most;
     float at(float range) const { return std::min(std::max(range * angle, least), most); }
   };
-  Distance distance(double base, double steps, float step) const;
+  Distance distance(double base, float angle) const;
+  int returnsOn(double size, float range) const;
 
   /// A distance d spans at most asin(d / range), which 1.2 d / range exceeds up to 50 degrees; one
   /// more step because returns lie anywhere in their pixels, and one to round up.
