@@ -221,6 +221,15 @@ TEST(OnlineVoting, RisingClassReachesAllBoxesOfTheTrace) {
   EXPECT_EQ(voting.takeChanges(), ids);
 }
 
+TEST(OnlineVoting, BoxesSpreadOverManyCellsOfOneRow) {
+  DsVoting voting(VotingOptions{});
+  VotingScene scene;
+  for (int k = 0; k < 30000; ++k) scene.add(static_cast<TrackId>(k + 1), 0, {3.0 * k, 0.1});
+  voting.addScan(scene.boxes);
+  voting.setTrackClass(500, MotionClass::Weak);
+  EXPECT_EQ(voting.takeChanges(), std::vector<BoxId>{499});
+}
+
 TEST(OnlineVoting, RejectsWhatCanNotBe) {
   DsVoting voting(VotingOptions{});
   VotingBox box;

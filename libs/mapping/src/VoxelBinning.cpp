@@ -20,100 +20,106 @@ std::uint32_t fixedIntensity(float intensity) {
 }
 
 int bitWidth(std::uint64_t value) {
-  int bits = 0;
-  for (; value != 0; value >>= 1) ++bits;
-  return bits;
+  return value == 0 ? 0 : 64 - __builtin_clzll(value);
 }
+
+/// A run of bits of a key, and how few bits tell its values apart over a set of keys.
+struct KeyField {
+  int shift, bits;
+  std::uint64_t least = ~std::uint64_t{0}, greatest = 0;
+
+  std::uint64_t of(VoxelKey key) const { return key >> shift & ((std::uint64_t{1} << bits) - 1); }
+  void see(VoxelKey key) {
+    least = std::min(least, of(key));
+    greatest = std::max(greatest, of(key));
+  }
+  int width() const { return bitWidth(greatest - least); }
+};
 
 }  // namespace
 
 std::size_t VoxelBinning::take(const Axis& x, const Axis& y, const Axis& z, double scale,
                                const std::vector<float>& intensity, IndexSpan indices) {
+  keys_.resize(indices.count);
   returns_.resize(indices.count);
   const float* const bright = intensity.empty() ? nullptr : intensity.data();
+  const auto inside = [](double fixed) { return fixed >= 0.0 && fixed < kFixedReach; };
   std::size_t taken = 0;
   for (const std::int32_t i : indices) {
-    const double fixed[3] = {x.level[i] * scale + x.shift, y.level[i] * scale + y.shift,
-                             z.level[i] * scale + z.shift};
-    Return& r = returns_[taken];
-    bool inside = true;
-    for (int axis = 0; axis < 3; ++axis) {
-      inside = inside && fixed[axis] >= 0.0 && fixed[axis] < kFixedReach;
-      const auto whole = inside ? static_cast<std::int64_t>(fixed[axis]) : 0;
-      r.voxel[axis] = static_cast<std::uint32_t>(whole >> 16);
-      r.offset[axis] = static_cast<std::uint16_t>(whole & 0xffff);
-    }
-    r.intensity = bright ? fixedIntensity(bright[i]) : 0;
-    taken += inside;
+    const double fx = x.level[i] * scale + x.shift;
+    const double fy = y.level[i] * scale + y.shift;
+    const double fz = z.level[i] * scale + z.shift;
+    if (!inside(fx) || !inside(fy) || !inside(fz)) continue;
+    const auto ix = static_cast<std::int64_t>(fx), iy = static_cast<std::int64_t>(fy),
+               iz = static_cast<std::int64_t>(fz);
+    keys_[taken] = voxelKeyFromFirst(static_cast<std::uint32_t>(ix >> 16),
+                                     static_cast<std::uint32_t>(iy >> 16),
+                                     static_cast<std::uint32_t>(iz >> 16));
+    returns_[taken] = {bright ? fixedIntensity(bright[i]) : 0, static_cast<std::uint16_t>(ix),
+                       static_cast<std::uint16_t>(iy), static_cast<std::uint16_t>(iz)};
+    ++taken;
   }
+  keys_.resize(taken);
   returns_.resize(taken);
   return indices.count - taken;
 }
 
-int VoxelBinning::Range::bits() const {
-  return bitWidth(greatest - least);
-}
-
-VoxelBinning::Range VoxelBinning::range(int axis) const {
-  Range range{~0u, 0u};
-  for (const Return& r : returns_) {
-    range.least = std::min(range.least, r.voxel[axis]);
-    range.greatest = std::max(range.greatest, r.voxel[axis]);
+int VoxelBinning::sortByVoxel() {
+  constexpr int local = 3 * kVoxelLocalBits, block = kVoxelBlockBits;
+  KeyField x{local + 2 * block, block}, y{local + block, block}, z{local, block};
+  for (const VoxelKey key : keys_) x.see(key), y.see(key), z.see(key);
+  const int placeBits = bitWidth(keys_.size());
+  const int keyBits = x.width() + y.width() + z.width() + local;
+  items_.resize(keys_.size());
+  if (keyBits + placeBits > 64) {
+    sortByComparison(placeBits);
+    return placeBits;
   }
-  return range;
-}
-
-void VoxelBinning::sortByVoxel() {
-  const Range x = range(0), y = range(1), z = range(2);
-  const int placeBits = bitWidth(returns_.size());
-  const int keyBits = x.bits() + y.bits() + z.bits();
-  if (keyBits + placeBits > 64) return sortByComparison();
-  items_.resize(returns_.size());
-  for (std::size_t i = 0; i < returns_.size(); ++i) {
-    const std::uint32_t* const voxel = returns_[i].voxel;
-    std::uint64_t item = voxel[0] - x.least;
-    item = item << y.bits() | (voxel[1] - y.least);
-    item = item << z.bits() | (voxel[2] - z.least);
+  const int yWidth = y.width(), zWidth = z.width();
+  for (std::size_t i = 0; i < keys_.size(); ++i) {
+    const VoxelKey key = keys_[i];
+    std::uint64_t item = x.of(key) - x.least;
+    item = item << yWidth | (y.of(key) - y.least);
+    item = item << zWidth | (z.of(key) - z.least);
+    item = item << local | (key & ((1u << local) - 1));
     items_[i] = item << placeBits | i;
   }
   radixSort(items_, placeBits, keyBits, buffer_);
-  order_.resize(returns_.size());
-  const std::uint64_t placeMask = (std::uint64_t{1} << placeBits) - 1;
-  std::transform(items_.begin(), items_.end(), order_.begin(), [placeMask](std::uint64_t item) {
-    return static_cast<std::uint32_t>(item & placeMask);
-  });
+  return placeBits;
 }
 
-void VoxelBinning::sortByComparison() {
-  order_.resize(returns_.size());
-  std::iota(order_.begin(), order_.end(), 0u);
-  std::stable_sort(order_.begin(), order_.end(), [this](std::uint32_t a, std::uint32_t b) {
-    return std::lexicographical_compare(returns_[a].voxel, returns_[a].voxel + 3, returns_[b].voxel,
-                                        returns_[b].voxel + 3);
-  });
+void VoxelBinning::sortByComparison(int placeBits) {
+  std::iota(items_.begin(), items_.end(), std::uint64_t{0});
+  std::stable_sort(items_.begin(), items_.end(),
+                   [this](std::uint64_t a, std::uint64_t b) { return keys_[a] < keys_[b]; });
+  std::uint64_t rank = 0;
+  VoxelKey last = keys_[items_.front()];
+  for (std::uint64_t& item : items_) {
+    rank += keys_[item] != last;
+    last = keys_[item];
+    item |= rank << placeBits;
+  }
 }
 
 void VoxelBinning::sum(std::uint32_t cap, std::vector<VoxelContribution>& result) {
   result.clear();
-  if (returns_.empty()) return;
-  sortByVoxel();
-  const Return* last = nullptr;
-  for (const std::uint32_t place : order_) {
-    const Return& r = returns_[place];
-    if (last == nullptr || !std::equal(r.voxel, r.voxel + 3, last->voxel)) {
-      last = &r;
-      const auto index = [&r](int axis) {
-        return static_cast<std::int32_t>(r.voxel[axis]) - kVoxelReach;
-      };
+  if (keys_.empty()) return;
+  const int placeBits = sortByVoxel();
+  std::uint64_t last = ~items_.front();
+  for (const std::uint64_t item : items_) {
+    const std::uint64_t place = item & ((std::uint64_t{1} << placeBits) - 1);
+    if (item >> placeBits != last >> placeBits) {
+      last = item;
       result.emplace_back();
-      result.back().key = voxelKey(index(0), index(1), index(2));
+      result.back().key = keys_[place];
     }
     VoxelContribution& sum = result.back();
     if (sum.count == cap) continue;
+    const Return& r = returns_[place];
     ++sum.count;
-    sum.x += r.offset[0];
-    sum.y += r.offset[1];
-    sum.z += r.offset[2];
+    sum.x += r.x;
+    sum.y += r.y;
+    sum.z += r.z;
     sum.intensity += r.intensity;
   }
 }

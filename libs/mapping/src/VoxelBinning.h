@@ -23,26 +23,21 @@ class VoxelBinning {
   void sum(std::uint32_t cap, std::vector<VoxelContribution>& result);
 
  private:
+  /// Offset inside the voxel [1/65536 voxel] and intensity [1/65536 unit].
   struct Return {
-    /// Voxel index counted from the first voxel, and offset inside it [1/65536 voxel].
-    std::uint32_t voxel[3];
-    std::uint16_t offset[3];
-    /// [1/65536 unit].
     std::uint32_t intensity;
+    std::uint16_t x, y, z;
   };
-  /// Least and greatest voxel index of the returns along one axis.
-  struct Range {
-    std::uint32_t least, greatest;
-    int bits() const;
-  };
-  Range range(int axis) const;
-  /// Fills order_ with the places of the returns by key, those of one key in order of their coming.
-  void sortByVoxel();
-  void sortByComparison();
+  /// Fills items_ by ascending key: the place of each return in the lower bits, of which it returns
+  /// the number, and above them what only returns of one voxel share; those of one voxel in order
+  /// of their coming.
+  int sortByVoxel();
+  void sortByComparison(int placeBits);
 
+  /// Of the returns in order of their coming.
+  std::vector<VoxelKey> keys_;
   std::vector<Return> returns_;
   std::vector<std::uint64_t> items_, buffer_;
-  std::vector<std::uint32_t> order_;
 };
 
 }  // namespace toss

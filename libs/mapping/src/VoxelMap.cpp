@@ -2,7 +2,6 @@
 #include <toss/geometry/Error.h>
 #include <toss/mapping/VoxelMap.h>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -17,8 +16,6 @@ struct VoxelMap::Implementation {
   Eigen::Vector3d origin;
   VoxelTable table;
 
-  template <typename Sum>
-  void subtract(const Sum& sum);
   MapPoint point(const VoxelSum& sum) const;
   void checkReach(const Eigen::Vector3d& sensorPosition) const;
 };
@@ -58,40 +55,23 @@ std::size_t VoxelMap::bin(const std::vector<float>& x, const std::vector<float>&
 }
 
 void VoxelMap::add(const std::vector<VoxelContribution>& contributions) {
-  for (const VoxelContribution& c : contributions) {
-    VoxelRecord& record = implementation_->table.findOrMake(c.key);
-    const VoxelSum s = record.sum();
-    record.set(
-        {c.key, s.count + c.count, s.x + c.x, s.y + c.y, s.z + c.z, s.intensity + c.intensity});
-  }
-}
-
-template <typename Sum>
-void VoxelMap::Implementation::subtract(const Sum& c) {
-  VoxelRecord* const record = table.find(c.key);
-  const VoxelSum s = record ? record->sum() : VoxelSum();
-  if (s.count < c.count || s.x < c.x || s.y < c.y || s.z < c.z || s.intensity < c.intensity) {
-    throw std::logic_error("VoxelMap: subtracts what was never added");
-  }
-  if (!record) return;
-  record->set(
-      {c.key, s.count - c.count, s.x - c.x, s.y - c.y, s.z - c.z, s.intensity - c.intensity});
-  if (record->count == 0) table.erase(c.key);
+  implementation_->table.add(contributions);
 }
 
 void VoxelMap::subtract(const std::vector<VoxelContribution>& contributions) {
-  for (const VoxelContribution& c : contributions) implementation_->subtract(c);
+  for (const VoxelContribution& c : contributions) {
+    implementation_->table.subtract({c.key, c.count, c.x, c.y, c.z, c.intensity});
+  }
 }
 
 void VoxelMap::subtract(const std::vector<VoxelSum>& sums) {
-  for (const VoxelSum& sum : sums) implementation_->subtract(sum);
+  for (const VoxelSum& sum : sums) implementation_->table.subtract(sum);
 }
 
 std::size_t VoxelMap::size(std::uint32_t minCount) const {
   if (minCount <= 1) return implementation_->table.size();
   std::size_t result = 0;
-  implementation_->table.visit(
-      [&](const VoxelRecord& record) { result += record.count >= minCount; });
+  implementation_->table.visit([&](const VoxelSum& sum) { result += sum.count >= minCount; });
   return result;
 }
 
@@ -107,16 +87,11 @@ MapPoint VoxelMap::Implementation::point(const VoxelSum& sum) const {
 }
 
 std::vector<MapPoint> VoxelMap::points(std::uint32_t minCount) const {
-  std::vector<const VoxelRecord*> order;
-  order.reserve(implementation_->table.size());
-  implementation_->table.visit([&](const VoxelRecord& record) {
-    if (record.count >= minCount) order.push_back(&record);
-  });
-  std::sort(order.begin(), order.end(),
-            [](const VoxelRecord* a, const VoxelRecord* b) { return a->key < b->key; });
   std::vector<MapPoint> result;
-  result.reserve(order.size());
-  for (const VoxelRecord* record : order) result.push_back(implementation_->point(record->sum()));
+  result.reserve(size(minCount));
+  implementation_->table.visit([&](const VoxelSum& sum) {
+    if (sum.count >= minCount) result.push_back(implementation_->point(sum));
+  });
   return result;
 }
 

@@ -63,8 +63,16 @@ class VoterGrid {
   }
   std::int64_t coordinate(double metres) const;
 
+  /// The standard hash of a whole number is itself: all cells of a row would share their slot.
+  struct Hash {
+    std::size_t operator()(std::uint64_t key) const {
+      key *= 0x9e3779b97f4a7c15u;
+      return static_cast<std::size_t>(key ^ key >> 32);
+    }
+  };
+
   double cellSize_;
-  tsl::robin_map<std::uint64_t, CellIndex> indexOf_;
+  tsl::robin_map<std::uint64_t, CellIndex, Hash> indexOf_;
   std::vector<VoterCell> cells_;
   std::vector<CellIndex> free_;
 };

@@ -81,7 +81,7 @@ class VoxelMap {
   /// Centroid and mean intensity of every such voxel, by ascending key.
   std::vector<MapPoint> points(std::uint32_t minCount = 1) const;
   double voxelSize() const;
-  /// Bytes held, table load and records without a voxel included.
+  /// Bytes held, the table's load and records kept for growth included.
   std::size_t bytes() const;
 
  private:

@@ -64,9 +64,9 @@ class DsVoting {
   void release(BoxId box);
   /// Settles the boxes of scans before `time` [s]: their labels stand, whatever comes. Forgets the
   /// voters that no other box needs, those before `time` - horizon, so that the labels of later
-  /// boxes do not depend on this call. With an infinite horizon the voters before `time` go: the
-  /// labels of later boxes are then those of a horizon of that length. Records of boxes go when
-  /// they are forgotten as voters and released.
+  /// boxes do not depend on this call. With an infinite horizon the voters before `time` go all the
+  /// same: later boxes that are judged anew have lost their votes. The record of a box goes when it
+  /// is forgotten as a voter and released.
   void forgetBefore(double time);
 
  private:

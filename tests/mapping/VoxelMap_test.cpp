@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <toss/geometry/Error.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "RandomReturns.h"
+
+namespace toss {
+namespace {
+
+using test::RandomReturns;
+using Index = std::array<std::int32_t, 3>;
+
+constexpr std::uint32_t kNoCap = 65535;
+
+struct Mean {
+  int count = 0;
+  Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+};
+
+/// Voxels in double precision, straight from the definition.
+std::map<VoxelKey, Mean> bruteForce(const RandomReturns& returns, double voxelSize,
+                                    const Eigen::Vector3d& origin, int cap) {
+  std::map<VoxelKey, Mean> voxels;
+  for (std::size_t i = 0; i < returns.all.size(); ++i) {
+    const Eigen::Vector3d p =
+        returns.sensorPosition +
+        Eigen::Vector3d(returns.level.x[i], returns.level.y[i], returns.level.z[i]);
+    const Eigen::Vector3d q = (p - origin) / voxelSize;
+    const auto floored = [](double v) { return static_cast<std::int32_t>(std::floor(v)); };
+    Mean& mean = voxels[voxelKey(floored(q.x()), floored(q.y()), floored(q.z()))];
+    if (mean.count == cap) continue;
+    ++mean.count;
+    mean.sum += Eigen::Vector4d(p.x(), p.y(), p.z(), returns.intensity[i]);
+  }
+  return voxels;
+}
+
+std::vector<VoxelContribution> bin(const VoxelMap& map, const RandomReturns& r, std::uint32_t cap) {
+  std::vector<VoxelContribution> result;
+  EXPECT_EQ(
+      map.bin(r.level.x, r.level.y, r.level.z, r.intensity, r.sensorPosition, r.all, cap, result),
+      0u);
+  return result;
+}
+
+void expectCentroids(const RandomReturns& returns, double voxelSize, const Eigen::Vector3d& origin,
+                     std::uint32_t cap) {
+  VoxelMap map(voxelSize, origin);
+  const auto contributions = bin(map, returns, cap);
+  map.add(contributions);
+  const std::vector<MapPoint> points = map.points();
+  const auto expected = bruteForce(returns, voxelSize, origin, static_cast<int>(cap));
+  ASSERT_EQ(points.size(), expected.size());
+  std::size_t i = 0;
+  for (const auto& [key, mean] : expected) {
+    EXPECT_EQ(contributions[i].key, key);
+    EXPECT_EQ(contributions[i].count, static_cast<std::uint32_t>(mean.count));
+    const Eigen::Vector4d m = mean.sum / mean.count;
+    const MapPoint& p = points[i++];
+    const double tolerance = voxelSize / 65536.0 + 1e-6 * m.head<3>().cwiseAbs().maxCoeff();
+    EXPECT_NEAR(p.x, m.x(), tolerance);
+    EXPECT_NEAR(p.y, m.y(), tolerance);
+    EXPECT_NEAR(p.z, m.z(), tolerance);
+    EXPECT_NEAR(p.intensity, m.w(), 1.0 / 65536.0);
+  }
+}
+
+TEST(VoxelMap, CentroidsEqualBruteForceAroundTheOrigin) {
+  std::mt19937 random(1);
+  for (const double voxelSize : {0.1, 0.2, 0.37}) {
+    expectCentroids(RandomReturns(random, 20000, 1.5f), voxelSize, {0, 0, 0}, kNoCap);
+  }
+}
+
+TEST(VoxelMap, CentroidsEqualBruteForceFarFromTheMapsZero) {
+  std::mt19937 random(2);
+  RandomReturns returns(random, 5000, 60.0f);
+  const Eigen::Vector3d origin(457000.5, 5428000.25, 110.0);
+  returns.sensorPosition = origin + Eigen::Vector3d(-812.3, 390.7, -4.2);
+  expectCentroids(returns, 0.1, origin, kNoCap);
+}
+
+TEST(VoxelMap, CapCountsTheFirstReturnsOfEachVoxel) {
+  std::mt19937 random(3);
+  expectCentroids(RandomReturns(random, 20000, 0.5f), 0.2, {0, 0, 0}, 7);
+}
+
+TEST(VoxelMap, TinyVoxelsOverALargeExtentAreSortedAlike) {
+  std::mt19937 random(4);
+  RandomReturns returns(random, 3000, 900.0f);
+  returns.level.x[7] = returns.level.x[11] = returns.level.x[2000];
+  returns.level.y[7] = returns.level.y[11] = returns.level.y[2000];
+  returns.level.z[7] = returns.level.z[11] = returns.level.z[2000];
+  expectCentroids(returns, 0.001, {0, 0, 0}, 2);
+}
+
+TEST(VoxelMap, OnlyTheGivenIndicesCount) {
+  std::mt19937 random(5);
+  RandomReturns returns(random, 100, 1.0f);
+  returns.all = {3, 50, 99};
+  VoxelMap map(0.001);
+  EXPECT_EQ(bin(map, returns, kNoCap).size(), 3u);
+  returns.all.clear();
+  EXPECT_TRUE(bin(map, returns, kNoCap).empty());
+}
+
+TEST(VoxelMap, LeavesOutAndCountsWhatHasNoPlace) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinity = std::numeric_limits<float>::infinity();
+  const std::vector<float> x = {0.5f, nan, infinity, -infinity, 1e30f, 0.5f, -200000.0f};
+  const std::vector<float> zero(x.size(), 0.5f);
+  const std::vector<float> intensity = {nan, 1, 1, 1, 1, -3.0f, 1};
+  VoxelMap map(0.1);
+  std::vector<VoxelContribution> result;
+  const std::vector<std::int32_t> all = {0, 1, 2, 3, 4, 5, 6};
+  EXPECT_EQ(map.bin(x, zero, zero, intensity, {0, 0, 0}, all, kNoCap, result), 5u);
+  ASSERT_EQ(result.size(), 1u);
+  EXPECT_EQ(result[0].count, 2u);
+  EXPECT_EQ(result[0].intensity, 0u);
+  EXPECT_EQ(map.bin(x, zero, zero, {}, {0, 0, 0}, all, kNoCap, result), 5u);
+}
+
+TEST(VoxelMap, NegativeCoordinatesGoDownNotTowardsZero) {
+  VoxelMap map(0.5);
+  std::vector<VoxelContribution> result;
+  map.bin({-0.1f, 0.1f}, {-0.6f, 0.0f}, {-0.5f, 0.0f}, {}, {0, 0, 0},
+          std::vector<std::int32_t>{0, 1}, kNoCap, result);
+  ASSERT_EQ(result.size(), 2u);
+  EXPECT_EQ(voxelIndex(result[0].key), (Index{-1, -2, -1}));
+  EXPECT_EQ(voxelIndex(result[1].key), (Index{0, 0, 0}));
+}
+
+TEST(VoxelMap, SensorOutOfReachIsTheUsersError) {
+  VoxelMap map(0.1, {10, 0, 0});
+  std::vector<VoxelContribution> result;
+  const std::vector<std::int32_t> none;
+  EXPECT_NO_THROW(map.bin({}, {}, {}, {}, {104000, 0, 0}, none, kNoCap, result));
+  EXPECT_THROW(map.bin({}, {}, {}, {}, {106000, 0, 0}, none, kNoCap, result), UserError);
+  EXPECT_THROW(map.bin({}, {}, {}, {}, {0, std::nan(""), 0}, none, kNoCap, result), UserError);
+  for (const double size : {0.0, -1.0, std::nan("")}) EXPECT_THROW(VoxelMap{size}, UserError);
+}
+
+TEST(VoxelMap, SubtractingLeavesNoTrace) {
+  std::mt19937 random(6);
+  VoxelMap map(0.2), reference(0.2);
+  const auto stays = bin(map, RandomReturns(random, 5000, 2.0f), kNoCap);
+  const auto goes = bin(map, RandomReturns(random, 5000, 2.5f), kNoCap);
+  reference.add(stays);
+  map.add(goes);
+  map.add(stays);
+  map.subtract(goes);
+  EXPECT_EQ(map.size(), reference.size());
+  EXPECT_TRUE(test::same(map.points(), reference.points()));
+  map.subtract(stays);
+  EXPECT_EQ(map.size(), 0u);
+  EXPECT_THROW(map.subtract(stays), std::logic_error);
+}
+
+TEST(VoxelMap, MinimumCountHidesThinVoxels) {
+  VoxelMap map(1.0);
+  map.add({{voxelKey(0, 0, 0), 1, 5, 5, 5, 0}, {voxelKey(1, 0, 0), 3, 5, 5, 5, 0}});
+  EXPECT_EQ(map.size(1), 2u);
+  EXPECT_EQ(map.size(2), 1u);
+  ASSERT_EQ(map.points(2).size(), 1u);
+  EXPECT_GT(map.points(2)[0].x, 1.0f);
+}
+
+TEST(VoxelMap, SumsHoldMoreThanThirtyTwoBits) {
+  VoxelMap map(1.0);
+  const std::uint32_t half = 65535u * 32768u;
+  const VoxelContribution many{voxelKey(-1, 0, 0), 65535, half, half, half, 65535ull << 16};
+  for (int i = 0; i < 2000; ++i) map.add({many});
+  const MapPoint p = map.points().at(0);
+  EXPECT_FLOAT_EQ(p.x, -0.5f);
+  EXPECT_FLOAT_EQ(p.y, 0.5f);
+  EXPECT_FLOAT_EQ(p.intensity, 1.0f);
+  for (int i = 0; i < 2000; ++i) map.subtract({many});
+  EXPECT_EQ(map.size(), 0u);
+}
+
+/// Voxels of a level plane and of a wall, as a robot that drives past them leaves them.
+TEST(VoxelMap, AVoxelOfASurfaceTakesLessThanSixtyBytes) {
+  VoxelMap map(0.1);
+  double most = 0.0;
+  for (std::int32_t x = 0; x < 1500; ++x) {
+    std::vector<VoxelContribution> slice;
+    for (std::int32_t y = 0; y < 100; ++y) slice.push_back({voxelKey(x, y, 7), 1, 0, 0, 0, 0});
+    for (std::int32_t z = 8; z < 60; ++z) slice.push_back({voxelKey(x, 99, z), 1, 0, 0, 0, 0});
+    map.add(slice);
+    if (x % 100 == 99) {
+      most = std::max(most, static_cast<double>(map.bytes()) / static_cast<double>(map.size()));
+    }
+  }
+  RecordProperty("most_bytes_per_voxel", std::to_string(most));
+  EXPECT_LT(most, 60.0);
+  EXPECT_GT(most, 32.0);
+}
+
+}  // namespace
+}  // namespace toss
