@@ -119,7 +119,7 @@ ObjectOptions bareClustering() {
 
 void expectBruteForce(const ObjectOptions& options, double tilt) {
   ObjectSegmentation objects(options);
-  for (unsigned seed = 0; seed < 12; ++seed) {
+  for (unsigned seed = 0; seed < 6; ++seed) {
     ObjectTestScan scan = randomScan(seed, tilt);
     objects.segment(scan.points, scan.image, scan.segmentation);
     ASSERT_EQ(scan.segmentation.instance, bruteForceInstances(scan, options)) << "seed " << seed;
