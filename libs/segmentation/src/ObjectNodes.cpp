@@ -56,6 +56,14 @@ void gatherPixel(const Scan& scan, const LinkRules& rules, float pixelMerge, int
   }
 }
 
+void shorten(LinkRules::Reach& reach, float factor) {
+  reach.horizontal *= factor;
+  reach.vertical *= factor;
+  // One column of the window is for returns that lie anywhere in their pixels, whatever the reach.
+  const float columns = std::ceil(factor * static_cast<float>(reach.window - 1));
+  reach.window = std::min(reach.window, static_cast<std::int32_t>(columns) + 1);
+}
+
 void clear(ObjectNodes& nodes) {
   nodes.nodes.clear();
   nodes.rowBegin.assign(1, 0);
@@ -88,8 +96,7 @@ void selectNodes(const ObjectNodes& nodes, const std::vector<std::uint8_t>& sele
       if (!selected[static_cast<std::size_t>(n)]) continue;
       source.push_back(n);
       result.nodes.push_back(nodes[static_cast<std::size_t>(n)]);
-      result.nodes.back().reach.horizontal *= factor;
-      result.nodes.back().reach.vertical *= factor;
+      shorten(result.nodes.back().reach, factor);
     }
     result.rowBegin.push_back(static_cast<std::int32_t>(result.size()));
   }
