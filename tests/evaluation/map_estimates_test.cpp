@@ -46,6 +46,28 @@ TEST(MapEstimates, EqualMapsThatAreMadeOneByOne) {
   EXPECT_TRUE(estimates.voxelized(0) == estimates.voxelized(1));
 }
 
+class OneAxis : public testing::TestWithParam<int> {};
+
+TEST_P(OneAxis, IsEnoughToTellTheVoxelsOfTwoMapsApart) {
+  LabelledCloud cloud;
+  std::array<float, 3> p{0.1f, 0.1f, 0.1f};
+  cloud.add(p[0], p[1], p[2], 9);
+  p[static_cast<std::size_t>(GetParam())] = 0.15f;
+  cloud.add(p[0], p[1], p[2], 9);
+  CellOrder order;
+  orderByCell(cloud, 0.2, order);
+  MapEstimates estimates(0.2, 2);
+  estimates.addScan(order, cloud.label, {1, 3});
+  const LabelledCloud both = estimates.voxelized(0), one = estimates.voxelized(1);
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_EQ(one.x[0], p[0]);
+  EXPECT_EQ(one.y[0], p[1]);
+  EXPECT_EQ(one.z[0], p[2]);
+  EXPECT_FALSE(both == one);
+}
+
+INSTANTIATE_TEST_SUITE_P(XYZ, OneAxis, testing::Range(0, 3));
+
 TEST(MapEstimates, RefuseAnEstimateThatHoldsMoreThanTheTruth) {
   LabelledCloud cloud;
   cloud.add(0, 0, 0, 9);

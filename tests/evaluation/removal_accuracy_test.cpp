@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
-#include <toss/evaluation/MapTruth.h>
 #include <toss/evaluation/RemovalAccuracy.h>
 
 #include <cmath>
@@ -100,40 +99,6 @@ TEST(RemovalAccuracy, IsUndefinedWithoutPointsOfTheKind) {
   EXPECT_TRUE(std::isnan(accuracy.associatedAccuracy()));
   EXPECT_DOUBLE_EQ(accuracy.staticAccuracy(), 100.0);
 }
-
-class RandomMapTruth : public testing::TestWithParam<unsigned> {};
-
-TEST_P(RandomMapTruth, EqualsTryingAll) {
-  std::mt19937 random(GetParam());
-  const LabelledCloud map = randomCloud(random, 150, 0.5, GetParam() % 2 ? 0.01 : 0.05);
-  MapTruth truth(map, 0.2);
-  LabelledCloud allReturns;
-  for (int scan = 0; scan < 3; ++scan) {
-    LabelledCloud returns = randomCloud(random, 60, 0.5, GetParam() % 2 ? 0.01 : 0.05);
-    CellOrder order;
-    orderByCell(returns, 0.2, order);
-    std::vector<double> squared;
-    truth.addScan(order, returns.label, squared);
-    for (std::size_t place = 0; place < order.places(); ++place) {
-      const int nearest = nearestByTryingAll(returns, order.index[place], map, 0.2);
-      if (nearest < 0) continue;
-      EXPECT_DOUBLE_EQ(squared[place], distanceSquared(returns, order.index[place], map,
-                                                       static_cast<std::size_t>(nearest)));
-    }
-    append(returns, allReturns);
-  }
-  const LabelledCloud labelled = truth.labelled(7);
-  std::uint64_t unknown = 0;
-  for (std::size_t i = 0; i < map.size(); ++i) {
-    const int nearest = nearestByTryingAll(map, i, allReturns, 0.2);
-    unknown += nearest < 0;
-    ASSERT_EQ(labelled.label[i],
-              nearest < 0 ? 7u : allReturns.label[static_cast<std::size_t>(nearest)]);
-  }
-  EXPECT_EQ(truth.unknownPoints(), unknown);
-}
-
-INSTANTIATE_TEST_SUITE_P(Seeds, RandomMapTruth, testing::Range(0u, 10u));
 
 }  // namespace
 }  // namespace toss::test

@@ -13,7 +13,7 @@ TrackingReport trackingReport(const std::vector<TrackingScan>& scans) {
   return {scoreTracks(scans, confidence), averageAccuracy(scans, confidence)};
 }
 
-/// A map without the points whose nearest return is not annotated.
+/// A map without the points of which it is not known what is there.
 LabelledCloud withoutUnlabelled(const LabelledCloud& map) {
   LabelledCloud result;
   for (std::size_t i = 0; i < map.size(); ++i) {
@@ -74,7 +74,7 @@ void RunScorer::reportMap(EvaluationReport& report, MapErrors* errors) {
   if (errors) *errors = mapErrors(truthMap_, comparison, origin_);
   report.map = MapReport{comparison.score, lossTable(truthMap_, estimate, comparison), mapRemoval_};
   report.mapPoints = mapPoints_;
-  report.mapPointsWithoutReturn = mapTruth_->unknownPoints();
+  report.mapPointsWithoutReturn = mapTruth_->unseenPoints();
 }
 
 void RunScorer::reportBounds(EvaluationReport& report) {

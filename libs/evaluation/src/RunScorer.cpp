@@ -26,7 +26,8 @@ void RunScorer::loadMap() {
               static_cast<float>(p.z + shift.z()), 0);
   }
   mapPoints_ = cloud.size();
-  mapTruth_ = std::make_unique<MapTruth>(std::move(cloud), options_.voxelSize);
+  mapTruth_ =
+      std::make_unique<MapTruth>(std::move(cloud), options_.voxelSize, survey_.ignoreUnlabelled);
 }
 
 void RunScorer::readRunLabels(std::uint64_t index, std::size_t points) {

@@ -55,7 +55,8 @@ struct EvaluationReport {
 
   /// Map of the labels: every return called static, in ERASOR's voxels. Final and live labels.
   std::optional<MapReport> labels, liveLabels;
-  /// Map of the file (static_map.ply or another program's).
+  /// Map of the file (static_map.ply or another program's); true labels as MapTruth gives them. A
+  /// map of voxels larger than the removal distance loses static accuracy by its making.
   std::optional<MapReport> map;
   /// Points of the map file, and of them those that no return is near.
   std::uint64_t mapPoints = 0, mapPointsWithoutReturn = 0;
