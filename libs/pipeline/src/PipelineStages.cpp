@@ -15,7 +15,7 @@ Pipeline::Implementation::Implementation(const PipelineOptions& o, const SensorM
     : options(o),
       segmenter(o.projection, o.ground, o.objects, sensor),
       tracker(o.tracking, o.motion),
-      thinning(o.visibility.cellSize),
+      thinning(o.visibility.cellSize, o.visibility.maxCells),
       witness(o.visibility),
       voting(o.voting),
       traces(o.decision, o.visibility.enabled),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <toss/visibility/EvidenceCells.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace toss {
@@ -49,10 +50,32 @@ void CellThinning::thin(const LevelPoints& points, const Segmentation& segmentat
       cells.x.push_back(points.x[i]), cells.y.push_back(points.y[i]);
       cells.z.push_back(points.z[i]), cells.instance.push_back(instance);
     }
-    cells.cellOfPoint[i] = cellOfSlot_[slot];
+    if (instance == 0) cells.cellOfPoint[i] = cellOfSlot_[slot];
   }
+  sample(segmentation.instanceCount, cells);
   cells.past.reset(cells.size());
   cells.later.reset(cells.size());
+}
+
+void CellThinning::sample(std::int32_t instanceCount, EvidenceCells& cells) {
+  const auto groups = static_cast<std::size_t>(instanceCount) + 1;
+  met_.assign(groups, 0);
+  for (const std::int32_t instance : cells.instance) ++met_[static_cast<std::size_t>(instance)];
+  stride_.resize(groups);
+  for (std::size_t k = 0; k < groups; ++k) stride_[k] = k == 0 ? 1 : 1 + (met_[k] - 1) / maxCells_;
+  std::fill(met_.begin(), met_.end(), 0);
+  std::vector<std::int32_t> placeOfCell(cells.size(), -1);
+  std::size_t kept = 0;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const auto k = static_cast<std::size_t>(cells.instance[c]);
+    if (met_[k]++ % stride_[k] != 0) continue;
+    placeOfCell[c] = static_cast<std::int32_t>(kept);
+    cells.x[kept] = cells.x[c], cells.y[kept] = cells.y[c], cells.z[kept] = cells.z[c];
+    cells.instance[kept++] = cells.instance[c];
+  }
+  cells.x.resize(kept), cells.y.resize(kept), cells.z.resize(kept), cells.instance.resize(kept);
+  for (std::int32_t& cell : cells.cellOfPoint)
+    if (cell >= 0) cell = placeOfCell[static_cast<std::size_t>(cell)];
 }
 
 std::vector<FreeSpaceSum> sumByInstance(const EvidenceCells& cells, std::int32_t instanceCount,

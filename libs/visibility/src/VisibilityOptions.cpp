@@ -24,6 +24,9 @@ void VisibilityOptions::visit(OptionVisitor& v) {
   v.real({"cell_size", "m", "Returns are thinned to cells of this edge before views are asked",
           "measured: 0.2 keeps the decision of every return"},
          cellSize, 0.05, 1.0);
+  v.integer({"max_cells", "", "Most cells of one instance that views are asked about",
+             "measured: more change no decision"},
+            maxCells, 4, 100000);
   v.integer({"min_free_views", "", "Free views that make a cell free", "spec 12"}, minFreeViews, 1,
             10);
 }

@@ -33,7 +33,7 @@ struct EvidenceCells {
   std::vector<std::int32_t> instance;
   /// Testimony of the views taken before and after the scan.
   Testimony past, later;
-  /// Cell of each point of the scan or -1, shape [n].
+  /// Cell of each unclustered point of the scan, -1 for all others, shape [n].
   std::vector<std::int32_t> cellOfPoint;
 
   std::size_t size() const { return x.size(); }
@@ -42,18 +42,25 @@ struct EvidenceCells {
 /// Makes the cells of scans; keeps its table from scan to scan.
 class CellThinning {
  public:
-  /// `cellSize` [m].
-  explicit CellThinning(double cellSize) : inverseSize_(static_cast<float>(1.0 / cellSize)) {}
+  /// `cellSize` [m]; `maxCells`: most cells of one instance.
+  CellThinning(double cellSize, int maxCells)
+      : inverseSize_(static_cast<float>(1.0 / cellSize)), maxCells_(maxCells) {}
 
-  /// Replaces `cells`; the first return of a cell stands for it. All counts are 0.
+  /// Replaces `cells`; the first return of a cell stands for it, and of instances with more than
+  /// the most cells every so manieth cell for all. All counts are 0.
   void thin(const LevelPoints& points, const Segmentation& segmentation, EvidenceCells& cells);
 
  private:
   std::size_t slotOf(std::uint64_t key) const;
+  void sample(std::int32_t instanceCount, EvidenceCells& cells);
+
   float inverseSize_;
+  int maxCells_;
   /// Open addressing: key 0 marks a free slot.
   std::vector<std::uint64_t> keys_;
   std::vector<std::int32_t> cellOfSlot_;
+  /// Shape [instanceCount + 1]: cells met so far, and one of how many is kept.
+  std::vector<std::int32_t> met_, stride_;
 };
 
 /// What views say about a set of cells together.

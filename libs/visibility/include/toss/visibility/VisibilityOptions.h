@@ -22,6 +22,8 @@ struct VisibilityOptions : Options {
   double hitMargin = 0.3;
   /// Edge of the cells that a scan's returns are thinned to before views are asked [m].
   double cellSize = 0.2;
+  /// Most cells of one instance that are asked about, spread over it.
+  int maxCells = 48;
   /// Free views that make a cell free.
   int minFreeViews = 2;
 
