@@ -23,7 +23,8 @@ std::uint64_t countLabelFiles(const std::filesystem::path& input) {
   const std::filesystem::path folder = labelsFolderOf(input);
   if (folder.empty()) return 0;
   std::uint64_t count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
     count += entry.path().extension() == ".label";
   return count;
 }

@@ -121,7 +121,7 @@ void readTimes(KittiFolder& folder, const InputOptions& options) {
 
 }  // namespace
 
-KittiFolder readKittiFolder(const fs::path& path, const InputOptions& options) {
+KittiFolder readKittiFolder(const fs::path& path, const InputOptions& options) try {
   KittiFolder folder;
   folder.path = path;
   listScans(folder);
@@ -130,6 +130,9 @@ KittiFolder readKittiFolder(const fs::path& path, const InputOptions& options) {
   checkPoses(folder);
   readTimes(folder, options);
   return folder;
+} catch (const fs::filesystem_error& error) {
+  throw UserError(error.path1().string(), "can't be read (" + error.code().message() + ")",
+                  "check the permissions");
 }
 
 }  // namespace toss

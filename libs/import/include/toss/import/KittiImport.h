@@ -14,8 +14,8 @@ namespace toss {
 struct KittiImportOptions {
   /// First and last scan, by the number in the file name.
   std::uint64_t from = 0, to = std::numeric_limits<std::uint64_t>::max();
-  /// Whether the rawlog is compressed: saves a quarter of the size and takes a hundred times as
-  /// long.
+  /// Whether the rawlog is compressed: saves a quarter to a half of the size, and writing and
+  /// reading take ten times as long or more.
   bool gz = false;
   /// Fallbacks for files that the folder lacks.
   InputOptions input;

@@ -19,8 +19,8 @@ namespace toss {
 /// Files of the same name are replaced.
 class RawlogWriter {
  public:
-  /// `gz`: whether to compress. Off by default: it saves a quarter of the size and takes a hundred
-  /// times as long. Throws UserError if the file can't be made.
+  /// `gz`: whether to compress. Off by default: it saves a quarter to a half of the size, and
+  /// writing and reading take ten times as long or more. Throws UserError if the file can't be made.
   explicit RawlogWriter(const std::filesystem::path& file, bool gz = false);
   ~RawlogWriter();
 
