@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <toss/geometry/OptionSections.h>
+#include <toss/geometry/SensorModel.h>
 
 #include <iostream>
 #include <memory>
@@ -20,6 +21,7 @@ void addConfigCommand(CLI::App& program, const Verbosity&) {
   command->add_option("--set", request->settings, "section.key=value, repeatable")
       ->allow_extra_args(false);
   command->callback([request, sensor] {
+    if (!sensor->empty()) sensorByName(*sensor);
     RunConfiguration configuration = configure(*request, *sensor);
     std::cout << sectionsToText(configuration.sections());
   });

@@ -8,7 +8,6 @@
 #include <toss/rawlog/InputOptions.h>
 #include <toss/render/Snapshots.h>
 
-#include <fstream>
 #include <iostream>
 #include <memory>
 
@@ -45,10 +44,7 @@ void evaluate(const EvalRequest& request, bool quiet) {
       request.truth, request.run, options, input,
       [&](double share) { progress.update(static_cast<std::uint64_t>(100.0 * share), share); },
       request.picture.empty() ? nullptr : &errors);
-  if (!request.json.empty())
-    writeAtomically(request.json, [&](const std::filesystem::path& path) {
-      std::ofstream(path) << toJson(report);
-    });
+  if (!request.json.empty()) writeTextAtomically(request.json, toJson(report));
   if (!request.picture.empty()) drawErrors(request, errors);
   if (!quiet) std::cout << toText(report);
 }

@@ -38,8 +38,10 @@ void addImportCommand(CLI::App& program, const Verbosity& verbosity) {
   kitti->footer("Example: toss import kitti sequences/07 seq07.rawlog --from 630 --to 820");
   kitti->add_option("DIR", request->input, "Folder with velodyne/ and poses.txt")->required();
   kitti->add_option("OUT", request->output, "The rawlog")->required();
-  kitti->add_option("--from", request->options.from, "First scan, by the number in its name");
-  kitti->add_option("--to", request->options.to, "Last scan, included");
+  kitti->add_option("--from", request->options.from, "First scan, by the number in its name")
+      ->check(CLI::NonNegativeNumber);
+  kitti->add_option("--to", request->options.to, "Last scan, included")
+      ->check(CLI::NonNegativeNumber);
   kitti->add_flag("--gz", request->options.gz,
                   "Compress: a quarter smaller, some hundred times slower");
   kitti->callback([request, &verbosity] { import(*request, verbosity.quiet); });

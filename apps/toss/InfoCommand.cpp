@@ -2,7 +2,6 @@
 #include <toss/rawlog/AtomicFile.h>
 #include <toss/rawlog/InputSummary.h>
 
-#include <fstream>
 #include <iostream>
 #include <memory>
 
@@ -17,10 +16,7 @@ struct InfoRequest {
 
 void inform(const InfoRequest& request) {
   const InputSummary summary = summarizeInput(request.input);
-  if (!request.json.empty())
-    writeAtomically(request.json, [&](const std::filesystem::path& path) {
-      std::ofstream(path) << toJson(summary);
-    });
+  if (!request.json.empty()) writeTextAtomically(request.json, toJson(summary));
   std::cout << toText(summary);
 }
 

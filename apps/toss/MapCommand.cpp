@@ -16,8 +16,9 @@ void addMapCommand(CLI::App& program, const Verbosity& verbosity) {
   command->add_option("--config", request->configuration.file, "Configuration, an .ini file");
   command->add_option("--set", request->configuration.settings, "section.key=value, repeatable")
       ->allow_extra_args(false);
-  command->add_option("--from", request->from, "First scan, counted from 0");
-  command->add_option("--to", request->to, "Last scan, included");
+  command->add_option("--from", request->from, "First scan, counted from 0")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--to", request->to, "Last scan, included")->check(CLI::NonNegativeNumber);
   command->add_option("--threads", request->threads, "Threads; 0 = all cores")
       ->check(CLI::Range(0, 1024));
   command->add_flag("!--no-snapshots", request->snapshots, "Draw no pictures");

@@ -6,30 +6,34 @@
 #include <toss/rawlog/MetricMapFile.h>
 
 #include <algorithm>
-#include <fstream>
-#include <set>
+#include <sstream>
 
 namespace toss {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder for label files, with those of an earlier run gone.
-void prepareFolder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw UserError(folder.string(), "the folder can not be made (" + error.message() + ")",
+/// Refuses folders in which the outputs of a run would replace something else.
+void checkOutput(const MapRequest& request) {
+  const fs::path& out = request.output;
+  std::error_code ignored;
+  if (fs::equivalent(out / "filtered.rawlog", request.input, ignored))
+    throw UserError(out.string(), "the input lies there and would be replaced",
                     "give another --out");
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".label") fs::remove(entry.path());
+  const bool ofEarlierRun = fs::exists(out / "static_map.ply", ignored);
+  if (fs::exists(out / "velodyne", ignored) ||
+      (fs::exists(out / "labels", ignored) && !ofEarlierRun))
+    throw UserError(out.string(), "holds labels of a dataset, which would be replaced",
+                    "give another --out");
 }
 
-fs::path preparedOutput(const MapRequest& request) {
-  prepareFolder(request.output / "labels");
-  if (request.liveLabels) prepareFolder(request.output / "live_labels");
-  if (request.instances) prepareFolder(request.output / "instances");
+fs::path checkedOutput(const MapRequest& request) {
+  checkOutput(request);
   return request.output;
+}
+
+std::unique_ptr<AtomicFolder> folderIf(bool wanted, const fs::path& folder) {
+  return wanted ? std::make_unique<AtomicFolder>(folder) : nullptr;
 }
 
 std::vector<std::uint32_t> toFileLabels(const ScanLabels& labels) {
@@ -61,16 +65,19 @@ MapPoint mapPoint(const PosedScan& scan, std::size_t i) {
 }  // namespace
 
 MapOutputs::MapOutputs(const MapRequest& request, const RenderOptions& render)
-    : folder_(preparedOutput(request)),
+    : folder_(checkedOutput(request)),
+      labels_(folder_ / "labels"),
+      liveLabels_(folderIf(request.liveLabels, folder_ / "live_labels")),
+      instances_(folderIf(request.instances, folder_ / "instances")),
       movingPoints_(folder_ / "moving_points.ply", PlyWriter::Layout::PointsWithTrack),
       tracks_(folder_ / "tracks.csv"),
       filtered_(folder_ / "filtered.rawlog"),
       movingSample_(static_cast<std::size_t>(render.maxPoints)) {
-  content_.name = request.input.filename().string();
+  content_.name = inputName(request);
 }
 
 void MapOutputs::addLive(const ScanLabels& labels) {
-  writeLabels(labelPath(folder_ / "live_labels", labels.scan), toFileLabels(labels));
+  writeLabels(labelPath(liveLabels_->temporaryPath(), labels.scan), toFileLabels(labels));
 }
 
 void MapOutputs::addInstances(std::uint64_t scan, const Segmentation& segmentation) {
@@ -78,11 +85,11 @@ void MapOutputs::addInstances(std::uint64_t scan, const Segmentation& segmentati
   for (std::size_t i = 0; i < values.size(); ++i)
     values[i] = static_cast<std::uint32_t>(segmentation.instance[i]) << 16 |
                 static_cast<std::uint32_t>(segmentation.pointClass[i]);
-  writeLabels(labelPath(folder_ / "instances", scan), values);
+  writeLabels(labelPath(instances_->temporaryPath(), scan), values);
 }
 
 void MapOutputs::addSettled(const PosedScan& scan, const ScanLabels& labels) {
-  writeLabels(labelPath(folder_ / "labels", labels.scan), toFileLabels(labels));
+  writeLabels(labelPath(labels_.temporaryPath(), labels.scan), toFileLabels(labels));
   filtered_.add(scan, labels);
   tracks_.add(labels);
   paths_.add(labels);
@@ -110,25 +117,33 @@ void MapOutputs::addTimes(std::uint64_t scan,
 }
 
 void MapOutputs::writeTimings() const {
-  writeAtomically(folder_ / "timings.csv", [&](const fs::path& path) {
-    std::ofstream out(path);
-    out << "scan";
-    for (const auto& [stage, values] : times_) out << "," << stage << "_ms";
+  std::ostringstream out;
+  out << "scan";
+  for (const auto& [stage, values] : times_) out << "," << stage << "_ms";
+  out << "\n";
+  for (std::size_t i = 0; i < timedScans_.size(); ++i) {
+    out << timedScans_[i];
+    for (const auto& [stage, values] : times_) out << "," << values[i];
     out << "\n";
-    for (std::size_t i = 0; i < timedScans_.size(); ++i) {
-      out << timedScans_[i];
-      for (const auto& [stage, values] : times_) out << "," << values[i];
-      out << "\n";
-    }
-  });
+  }
+  writeTextAtomically(folder_ / "timings.csv", out.str());
+}
+
+void MapOutputs::removeEarlierRun() const {
+  for (const char* name : {"summary.json", "live_labels", "instances", "snapshots"})
+    fs::remove_all(folder_ / name);
 }
 
 void MapOutputs::finish(const std::vector<MapPoint>& staticMap) {
+  removeEarlierRun();
+  writePly(folder_ / "static_map.ply", staticMap);
+  writeMetricMap(folder_ / "static_map.metricmap", staticMap);
   movingPoints_.finish();
   tracks_.finish();
   filtered_.finish();
-  writePly(folder_ / "static_map.ply", staticMap);
-  writeMetricMap(folder_ / "static_map.metricmap", staticMap);
+  labels_.commit();
+  if (liveLabels_) liveLabels_->commit();
+  if (instances_) instances_->commit();
   writeTimings();
   content_.staticPoints = staticMap;
   content_.movingPoints = movingSample_.points();

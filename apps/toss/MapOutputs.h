@@ -3,12 +3,14 @@
 
 #include <toss/pipeline/Pipeline.h>
 #include <toss/pipeline/ScanLabels.h>
+#include <toss/rawlog/AtomicFolder.h>
 #include <toss/rawlog/FilteredRawlogWriter.h>
 #include <toss/rawlog/PlyFile.h>
 #include <toss/rawlog/TracksCsv.h>
 #include <toss/render/MapContent.h>
 #include <toss/render/PointSample.h>
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,9 +24,10 @@ struct RunCounts {
   std::uint64_t scans = 0, points = 0, invalid = 0, moving = 0, tracks = 0, movingTracks = 0;
 };
 
-/// The per-scan files of a run, written as labels become final.
+/// The files of a run, written as labels become final, under temporary names until finish().
 class MapOutputs {
  public:
+  /// Throws UserError where the output can not be written or holds what must not be replaced.
   MapOutputs(const MapRequest& request, const RenderOptions& render);
 
   /// Live labels of a scan.
@@ -34,7 +37,7 @@ class MapOutputs {
   /// Final labels of a scan, with the scan.
   void addSettled(const PosedScan& scan, const ScanLabels& labels);
   void addTimes(std::uint64_t scan, const std::vector<std::pair<std::string, double>>& times);
-  /// Writes what is left: the map and everything that sums up the run.
+  /// Writes what is left and gives all files their names. Files of an earlier run are gone then.
   void finish(const std::vector<MapPoint>& staticMap);
 
   /// What pictures show; complete after finish().
@@ -44,9 +47,13 @@ class MapOutputs {
   const std::vector<std::pair<std::string, std::vector<double>>>& times() const { return times_; }
 
  private:
+  void removeEarlierRun() const;
   void writeTimings() const;
 
   std::filesystem::path folder_;
+  AtomicFolder labels_;
+  /// Empty where they are not asked for.
+  std::unique_ptr<AtomicFolder> liveLabels_, instances_;
   PlyWriter movingPoints_;
   TracksCsvWriter tracks_;
   FilteredRawlogWriter filtered_;

@@ -11,7 +11,6 @@
 #include <toss/render/SceneFile.h>
 #include <toss/render/Snapshots.h>
 
-#include <fstream>
 #include <iostream>
 #include <memory>
 
@@ -57,6 +56,9 @@ class MapRunner {
             tbb::make_filter<Item, void>(inOrder, [&](const Item& item) { write(*item); }));
     pipeline_.finish();
     for (const ScanLabels& labels : pipeline_.takeSettled()) writeSettled(labels);
+    if (written_ == 0)
+      throw UserError(request_.input.string(), "no scan in the chosen range has a pose",
+                      "look at it with toss info");
     outputs_.finish(pipeline_.staticMap());
   }
 
@@ -118,6 +120,11 @@ void draw(const MapRequest& request, const MapContent& content, const RenderOpti
 
 }  // namespace
 
+std::string inputName(const MapRequest& request) {
+  const std::filesystem::path& path = request.input;
+  return (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
 void runMap(const MapRequest& request, const Verbosity& verbosity) {
   const int threads = request.threads > 0 ? request.threads : tbb::info::default_concurrency();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
@@ -129,9 +136,7 @@ void runMap(const MapRequest& request, const Verbosity& verbosity) {
   MapRunner runner(request, configuration, sensor.model, verbosity.quiet);
   runner.run();
   draw(request, runner.outputs().content(), configuration.render);
-  writeAtomically(request.output / "config.ini", [&](const std::filesystem::path& path) {
-    std::ofstream(path) << sectionsToText(configuration.sections());
-  });
+  writeTextAtomically(request.output / "config.ini", sectionsToText(configuration.sections()));
   writeSummary(request, configuration, runner.inputReport(), runner.outputs());
   if (!verbosity.quiet) printSummary(request, runner.inputReport(), runner.outputs());
 }

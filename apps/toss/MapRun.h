@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <string>
 
 #include "Command.h"
 #include "RunConfiguration.h"
@@ -21,7 +22,11 @@ struct MapRequest {
   bool snapshots = true, liveLabels = false, instances = false;
 };
 
-/// Maps the input and leaves all outputs in request.output. Throws UserError.
+/// Name of the input without the folders it lies in.
+std::string inputName(const MapRequest& request);
+
+/// Maps the input and leaves all outputs in request.output, summary.json last. A run that fails
+/// before all scans are mapped leaves the folder as it was. Throws UserError.
 void runMap(const MapRequest& request, const Verbosity& verbosity);
 
 }  // namespace toss

@@ -4,7 +4,6 @@
 #include <toss/rawlog/AtomicFile.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -31,12 +30,11 @@ double quantile(std::vector<double> values, double share) {
   return values[rank];
 }
 
-/// "section": {"key": value as text}, read back from the configuration's own text.
+/// "section": {"key": value as text}.
 Json optionsJson(RunConfiguration& configuration) {
   Json json;
   for (Options* section : configuration.sections()) {
     Json& keys = json[section->section()];
-    std::ostringstream text;
     for (const auto& [key, value] : section->values()) keys[key] = value;
   }
   return json;
@@ -50,9 +48,11 @@ void writeSummary(const MapRequest& request, RunConfiguration& configuration,
   Json json;
   json["program"] = "toss";
   json["version"] = TOSS_VERSION;
-  json["input"] = {{"name", request.input.filename().string()}, {"bytes", sizeOf(request.input)}};
-  json["scans"] = {
-      {"mapped", counts.scans}, {"skipped_for_pose", input.skippedForPose}, {"empty", input.empty}};
+  json["input"] = {{"name", inputName(request)}, {"bytes", sizeOf(request.input)}};
+  json["scans"] = {{"mapped", counts.scans},
+                   {"skipped_for_pose", input.skippedForPose},
+                   {"skipped_for_time", input.skippedForTime},
+                   {"empty", input.empty}};
   json["points"] = {{"read", counts.points},
                     {"invalid", counts.invalid},
                     {"moving", counts.moving},
@@ -60,8 +60,7 @@ void writeSummary(const MapRequest& request, RunConfiguration& configuration,
   json["tracks"] = {{"all", counts.tracks}, {"moving", counts.movingTracks}};
   json["warnings"] = input.warnings;
   json["options"] = optionsJson(configuration);
-  writeAtomically(request.output / "summary.json",
-                  [&](const fs::path& path) { std::ofstream(path) << json.dump(2) << "\n"; });
+  writeTextAtomically(request.output / "summary.json", json.dump(2) + "\n");
 }
 
 void printSummary(const MapRequest& request, const InputReport& input, const MapOutputs& outputs) {

@@ -39,7 +39,7 @@ void Progress::update(std::uint64_t done, double fraction) {
     lastShown_ = now;
     std::cerr << "\r" << line(done, fraction, seconds) << "   " << std::flush;
     shown_ = true;
-  } else if (const int tenth = static_cast<int>(10.0 * fraction); tenth > lastTenth_) {
+  } else if (const int tenth = static_cast<int>(10.0 * fraction + 1e-9); tenth > lastTenth_) {
     lastTenth_ = tenth;
     std::cerr << line(done, fraction, seconds) << "\n";
   }

@@ -9,10 +9,12 @@ ScanRange::ScanRange(const std::filesystem::path& input, const InputOptions& opt
                      std::uint64_t from, std::uint64_t to)
     : source_(openScans(input, options)), from_(from), to_(to), last_(from) {
   const std::uint64_t count = source_->scanCount();
-  if (from > to || (count > 0 && from >= count))
-    throw UserError("--from " + std::to_string(from),
-                    count > 0 ? "the input holds scans 0 to " + std::to_string(count - 1)
-                              : "it lies behind --to",
+  const std::string where = "--from " + std::to_string(from);
+  if (from > to)
+    throw UserError(where, "it lies behind --to " + std::to_string(to),
+                    "give a range that holds a scan");
+  if (count > 0 && from >= count)
+    throw UserError(where, "the input holds scans 0 to " + std::to_string(count - 1),
                     "give a range that holds a scan");
 }
 

@@ -3,6 +3,7 @@
 #include <toss/rawlog/AtomicFile.h>
 #include <unistd.h>
 
+#include <fstream>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -51,6 +52,17 @@ void writeAtomically(const std::filesystem::path& finalPath,
   AtomicFile file(finalPath);
   write(file.temporaryPath());
   file.commit();
+}
+
+void writeTextAtomically(const std::filesystem::path& finalPath, const std::string& text) {
+  writeAtomically(finalPath, [&](const std::filesystem::path& path) {
+    std::ofstream out(path, std::ios::binary);
+    out << text;
+    out.close();
+    if (!out)
+      throw UserError(finalPath.string(), "can't be written",
+                      "check the folder's permissions and the free space");
+  });
 }
 
 }  // namespace toss

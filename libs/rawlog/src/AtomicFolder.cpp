@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "AtomicFolder.h"
-
 #include <toss/geometry/Error.h>
+#include <toss/rawlog/AtomicFolder.h>
 #include <unistd.h>
 
 #include <string>

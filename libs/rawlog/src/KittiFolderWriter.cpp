@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <toss/geometry/Error.h>
+#include <toss/rawlog/AtomicFolder.h>
 #include <toss/rawlog/KittiFolderWriter.h>
 #include <toss/rawlog/LabelFile.h>
 
@@ -9,7 +10,6 @@
 #include <string>
 #include <system_error>
 
-#include "AtomicFolder.h"
 #include "KittiPoints.h"
 #include "KittiPoses.h"
 

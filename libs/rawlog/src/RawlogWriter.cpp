@@ -5,6 +5,7 @@
 #include <mrpt/serialization/CArchive.h>
 #include <toss/geometry/Error.h>
 #include <toss/rawlog/AtomicFile.h>
+#include <toss/rawlog/AtomicFolder.h>
 #include <toss/rawlog/LabelFile.h>
 #include <toss/rawlog/MrptConversion.h>
 #include <toss/rawlog/RawlogWriter.h>
@@ -13,7 +14,6 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "AtomicFolder.h"
 #include "OutputStream.h"
 #include "SensorLabels.h"
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 
 namespace toss {
 
@@ -28,5 +29,8 @@ class AtomicFile {
 /// Calls `write` with the temporary path, then commits.
 void writeAtomically(const std::filesystem::path& finalPath,
                      const std::function<void(const std::filesystem::path&)>& write);
+
+/// The same for a whole text. Throws UserError where it can not be written, a full disk included.
+void writeTextAtomically(const std::filesystem::path& finalPath, const std::string& text);
 
 }  // namespace toss
