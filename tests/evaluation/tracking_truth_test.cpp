@@ -60,6 +60,14 @@ TEST(TrackingFromLabels, DoesNotAskForObjectsOfFewReturnsAndExcusesTheirTracks) 
   EXPECT_THAT(scan.excused, ElementsAre(true));
 }
 
+TEST(TrackingFromLabels, ExcusesTracksOfFewReturns) {
+  LabelPair labels;
+  labels.add(9, with(9, 0), with(251, 8));
+  labels.add(10, with(9, 0), with(251, 9));
+  EXPECT_THAT(trackingScanFromLabels(labels.truth, labels.called, true, {}).excused,
+              ElementsAre(true, false));
+}
+
 TEST(TrackingFromLabels, ExcusesTracksWhereNothingIsAnnotated) {
   LabelPair labels;
   labels.add(20, with(0, 0), with(251, 8));

@@ -37,8 +37,8 @@ void EvaluationOptions::visit(OptionVisitor& v) {
          removalEgoRange, 0.0, 100.0);
   v.flag({"bounds", "", "compute what an oracle would reach on the run's segmentation", "spec 11"},
          bounds);
-  v.integer({"tracking_min_returns", "", "objects with fewer returns are not asked of the tracker",
-             "spec 9.4"},
+  v.integer({"tracking_min_returns", "",
+             "objects and false tracks of fewer returns in a scan do not count", "spec 9.4"},
             trackingMinReturns, 1, kMost);
   v.real(
       {"tracking_overlap", "", "least overlap of a track's returns with an object's", "CLEAR MOT"},

@@ -107,12 +107,14 @@ TrackingScan trackingScanFromLabels(const std::vector<std::uint32_t>& truth,
                                     const std::vector<std::uint32_t>& called, bool ignoreUnlabelled,
                                     const EvaluationOptions& options) {
   ReturnCounts counts = countReturns(truth, called, ignoreUnlabelled);
-  dropSmallObjects(static_cast<std::uint64_t>(options.trackingMinReturns), counts);
+  const auto minReturns = static_cast<std::uint64_t>(options.trackingMinReturns);
+  dropSmallObjects(minReturns, counts);
   TrackingScan scan;
   for (const auto& [object, returns] : counts.object) scan.objects.push_back(object);
   for (const auto& [track, returns] : counts.track) {
     scan.tracks.push_back(track);
-    scan.excused.push_back(2 * counts.annotated[track] < returns);
+    const std::uint64_t annotated = counts.annotated[track];
+    scan.excused.push_back(2 * annotated < returns || annotated < minReturns);
   }
   addPairs(counts, options.trackingOverlap, scan);
   return scan;

@@ -40,7 +40,8 @@ struct EvaluationOptions : Options {
   double removalEgoRange = 3.0;
   /// Whether the oracle bounds are computed: about doubles the run time.
   bool bounds = true;
-  /// Objects with fewer returns in a scan are not asked of the tracker there.
+  /// Objects with fewer returns in a scan are not asked of the tracker there, and tracks with fewer
+  /// are no false alarms.
   int trackingMinReturns = 10;
   /// Least intersection over union of the returns of a track with those of an object.
   double trackingOverlap = 0.5;

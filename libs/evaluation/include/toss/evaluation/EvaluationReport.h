@@ -29,7 +29,9 @@ struct TrackingReport {
   AveragedAccuracy averaged;
 };
 
-/// What an oracle would reach, by the name of what it may decide on.
+/// What an oracle would reach, by the name of what it may decide on: every group is moving or
+/// static as the majority of its true labels, returns in no group stay. A run that judges such
+/// returns one by one can do better than the bound.
 struct BoundReport {
   std::string name;
   PreservationRejection rates;

@@ -14,7 +14,8 @@ namespace toss {
 /// instance number) with at least options.trackingMinReturns returns, tracks are the instance
 /// numbers of the returns called moving. Similarity is the intersection over union of their
 /// annotated returns, gated by options.trackingOverlap. A track is excused where most of its
-/// returns are not annotated or lie on moving objects that are too small to be asked for. `truth`
+/// returns are not annotated or lie on moving objects that are too small to be asked for, and where
+/// fewer than options.trackingMinReturns are left: the same rule for both sides. `truth`
 /// and `called`: true and called labels, shape [n]; `ignoreUnlabelled`: whether true class 0 means
 /// "not annotated".
 TrackingScan trackingScanFromLabels(const std::vector<std::uint32_t>& truth,
