@@ -48,10 +48,11 @@ class TemporaryFolder {
   fs::path path_;
 };
 
-/// The real data, see its README; empty where it is absent.
+/// The real data: TOSS_TEST_DATA or shared/data beside the checkout; empty where it is absent.
 inline fs::path dataFolder() {
   const char* given = std::getenv("TOSS_TEST_DATA");
-  const fs::path folder = given ? fs::path(given) : fs::path("../shared/data");
+  const fs::path checkout = fs::path(__FILE__).parent_path().parent_path().parent_path();
+  const fs::path folder = given ? fs::path(given) : checkout.parent_path() / "shared/data";
   return fs::is_directory(folder) ? folder : fs::path();
 }
 
