@@ -19,5 +19,6 @@ void addEvalCommand(CLI::App& program, const Verbosity& verbosity);
 void addSnapshotCommand(CLI::App& program, const Verbosity& verbosity);
 void addInfoCommand(CLI::App& program, const Verbosity& verbosity);
 void addConfigCommand(CLI::App& program, const Verbosity& verbosity);
+void addBenchmarkCommand(CLI::App& program, const Verbosity& verbosity);
 
 }  // namespace toss

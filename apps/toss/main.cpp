@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
   toss::addSnapshotCommand(program, verbosity);
   toss::addInfoCommand(program, verbosity);
   toss::addConfigCommand(program, verbosity);
+  toss::addBenchmarkCommand(program, verbosity);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <toss/mapping/VoxelMap.h>
+#include <toss/pipeline/PipelineOptions.h>
+#include <toss/pipeline/ScanLabels.h>
+#include <toss/scoring/LabelledLog.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace toss {
+
+/// What a method says of one scan; labels as `toss map` writes them, shape [points] each.
+struct ScanAnswer {
+  /// Final labels. High 16 bits: trace.
+  std::vector<std::uint32_t> final;
+  /// Called moving with no look-ahead; empty where the method has no such answer.
+  std::vector<bool> liveMoving;
+  /// Low 16 bits PointClass, high 16 bits instance; empty where the method has no instances.
+  std::vector<std::uint32_t> instances;
+};
+
+/// A method's answers for a whole log.
+struct MethodRun {
+  /// Shape [scans].
+  std::vector<ScanAnswer> answers;
+  /// Time spent on each scan [ms], shape [scans].
+  std::vector<double> milliseconds;
+  /// Every trace in each scan, shape [scans][traces]: for pictures.
+  std::vector<std::vector<TrackSample>> tracks;
+};
+
+/// Labels of a scan in the words of the label files.
+std::vector<std::uint32_t> toFileLabels(const ScanLabels& labels);
+
+/// Runs TOSS on the log, in this thread.
+MethodRun runPipeline(const LabelledLog& log, const PipelineOptions& options);
+
+/// The map that nobody cleans: every return stays.
+MethodRun keepEverything(const LabelledLog& log);
+
+}  // namespace toss

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ResultsDocument.h"
+
+#include <toss/rawlog/AtomicFile.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <ostream>
+#include <thread>
+
+#include "ResultSummary.h"
+
+namespace toss {
+namespace {
+
+std::string number(double value, int decimals, bool sign = false) {
+  if (!std::isfinite(value)) return "-";
+  char text[48];
+  std::snprintf(text, sizeof(text), sign ? "%+.*f" : "%.*f", decimals, value);
+  return text;
+}
+
+std::string processorName() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  return "unknown processor";
+}
+
+void writeHead(std::ostream& out, const ScoreboardRequest& request) {
+  out << "# Results\n\nWritten by `bash tests/benchmarks/scoreboard.sh"
+      << (request.quick ? " --quick" : "") << "`"
+      << (request.commit.empty() ? "" : " at commit " + request.commit) << ". " << processorName()
+      << ", " << std::thread::hardware_concurrency() << " cores, " << request.jobs
+      << " cases at a time, one thread each";
+  if (request.frames > 0) out << "; at most " << request.frames << " scans per scene";
+  out << "; means over " << request.seeds
+      << (request.seeds == 1 ? " seed.\n\n" : " seeds (ablations and OctoMap: seed 1).\n\n");
+  out << "PR, RR [%] and F1 as ERASOR counts them, in voxels of 0.2 m. Scenes of `toss simulate`; "
+         "`real` is KITTI tracking sequence 0000, returns without annotation left out. Worst scene "
+         "first.\n\n";
+}
+
+void writeOverview(std::ostream& out, const std::vector<CaseResult>& results,
+                   const std::vector<Variant>& variants) {
+  out << "## Maps\n\nPR / RR / F1.\n\n| scene |";
+  std::string rule = "\n|---|";
+  std::vector<const Variant*> shown;
+  for (const Variant& v : variants)
+    if (v.kind != VariantKind::Ablation) shown.push_back(&v);
+  for (const Variant* v : shown) out << " " << v->name << " |", rule += "---|";
+  out << rule << "\n";
+  for (const std::string& scene : scenesWorstFirst(results)) {
+    out << "| " << scene << " |";
+    for (const Variant* v : shown) {
+      const SceneScore s = sceneScore(results, scene, v->name);
+      const char* mark = v->kind == VariantKind::Default ? "**" : "";
+      if (s.seeds == 0) out << " - |";
+      if (s.seeds > 0)
+        out << " " << number(s.preservation, 2) << " / " << number(s.rejection, 2) << " / " << mark
+            << number(s.f1, 3) << mark << " |";
+    }
+    out << "\n";
+  }
+  out << "\n![F1 of every scene](results_scenes.png)\n\n";
+  for (const Variant* v : shown) out << "- " << v->name << ": " << v->description << "\n";
+}
+
+void writeAblation(std::ostream& out, const std::vector<CaseResult>& results,
+                   const std::vector<Variant>& variants) {
+  out << "\n## What each part is worth\n\nMean over the scenes of a variant minus the default. "
+         "IoU: "
+         "of moving points, final labels.\n\n| variant | PR | RR | F1 | IoU | ms per scan | F1 "
+         "changes most in | what it is |\n|---|---|---|---|---|---|---|---|\n";
+  for (const Variant& v : variants) {
+    if (v.kind != VariantKind::Ablation) continue;
+    const Difference d = differenceToDefault(results, v.name);
+    out << "| " << v.name << " | " << number(d.preservation, 2, true) << " | "
+        << number(d.rejection, 2, true) << " | " << number(d.f1, 4, true) << " | "
+        << number(d.iou, 2, true) << " | " << number(d.milliseconds, 1, true) << " | "
+        << d.mostChanged << " (" << number(d.mostChange, 3, true) << ") | " << v.description
+        << " |\n";
+  }
+  out << "\n![Change of F1 by variant](results_ablation.png)\n";
+}
+
+void writeResidue(std::ostream& out, const std::vector<CaseResult>& results) {
+  out << "\n## Where what is left comes from\n\nMoving voxels that the default leaves in the map, "
+         "in percent of all moving voxels, by cause (seed 1).\n\n| scene | moving voxels |";
+  for (int c = 0; c < kLossCauses; ++c)
+    out << " " << lossCauseName(static_cast<LossCause>(c)) << " |";
+  out << "\n|---|---|";
+  for (int c = 0; c < kLossCauses; ++c) out << "---|";
+  out << "\n";
+  for (const std::string& scene : scenesWorstFirst(results))
+    for (const CaseResult& r : results) {
+      if (r.scene != scene || r.variant != kDefaultName || r.seed != 1) continue;
+      const auto all = static_cast<double>(r.scores.map.movingVoxels);
+      out << "| " << scene << " | " << r.scores.map.movingVoxels << " |";
+      for (const std::uint64_t voxels : r.scores.losses.residueByCause)
+        out << " " << number(100.0 * static_cast<double>(voxels) / all, 2) << " |";
+      out << "\n";
+    }
+}
+
+void writeCases(std::ostream& out, const std::vector<CaseResult>& results,
+                const std::vector<Variant>& variants) {
+  out << "\n## All cases\n\nIoU [%] of moving points by final labels, and live by labels with no "
+         "look-ahead. Bounds: RR [%] that the right class for every instance, or trace, would "
+         "reach.\n\n| scene | scans | variant | PR | RR | F1 | IoU | live IoU | instance bound | "
+         "trace bound | ms per scan, median | 95 % |\n|---|---|---|---|---|---|---|---|---|---|---|"
+         "---|\n";
+  for (const std::string& scene : scenesWorstFirst(results))
+    for (const Variant& v : variants) {
+      const SceneScore s = sceneScore(results, scene, v.name);
+      if (s.seeds == 0) continue;
+      out << "| " << scene << " | " << s.scans << " | " << v.name << " | "
+          << number(s.preservation, 2) << " | " << number(s.rejection, 2) << " | "
+          << number(s.f1, 3) << " | " << number(s.iou, 2) << " | " << number(s.liveIou, 2) << " | "
+          << number(s.instanceBound, 2) << " | " << number(s.traceBound, 2) << " | "
+          << number(s.median, 1) << " | " << number(s.percentile95, 1) << " |\n";
+    }
+}
+
+}  // namespace
+
+void writeResults(const ScoreboardRequest& request, const std::vector<CaseResult>& results,
+                  const std::vector<Variant>& variants, const std::vector<std::string>& pictures) {
+  writeAtomically(request.output / "results.md", [&](const std::filesystem::path& path) {
+    std::ofstream out(path);
+    writeHead(out, request);
+    writeOverview(out, results, variants);
+    writeAblation(out, results, variants);
+    writeResidue(out, results);
+    if (!pictures.empty()) out << "\n## Pictures\n";
+    for (const std::string& picture : pictures) out << "\n" << picture << "\n";
+    writeCases(out, results, variants);
+  });
+}
+
+}  // namespace toss

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Scores TOSS and its parts on all scenes, and writes the table, plots and pictures.
+#include <toss/geometry/Error.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "Pictures.h"
+#include "Plots.h"
+#include "ResultsDocument.h"
+#include "Scoreboard.h"
+
+namespace {
+
+using namespace toss;
+
+void readArguments(CLI::App& program, ScoreboardRequest& request) {
+  program.add_flag("--quick", request.quick, "40 scans per scene, one seed, few variants");
+  program.add_option("--frames", request.frames, "Scans per scene; 0 = the scene's own number");
+  program.add_option("--seeds", request.seeds, "Seeds per scene")->check(CLI::Range(1, 100));
+  program.add_option("--jobs", request.jobs, "Cases at a time")->check(CLI::Range(1, 256));
+  program.add_option("--scene", request.scenes, "Only these scenes; 'none' for no simulated one");
+  program.add_option("--real", request.realSequence, "Labelled real sequence, KITTI layout");
+  program.add_option("--commit", request.commit, "Name of the commit, for the report");
+  program.add_option("OUTPUT", request.output, "Folder for results.md and pictures")->required();
+}
+
+void run(ScoreboardRequest& request) {
+  constexpr int kQuickFrames = 40;
+  if (request.quick && request.frames == 0) request.frames = kQuickFrames;
+  std::filesystem::create_directories(request.output);
+  const std::vector<Variant> variants = allVariants(request.quick);
+  PictureMaker pictures(request.output);
+  const std::vector<CaseResult> results =
+      runScoreboard(request, variants,
+                    {[&](const LabelledLog& log) { pictures.addLog(log); },
+                     [&](const FinishedCase& finished) { pictures.addCase(finished); }});
+  const std::vector<std::string> drawn = pictures.finish();
+  drawPlots(results, variants, request.output);
+  writeResults(request, results, variants, drawn);
+  std::cout << (request.output / "results.md").string() << "\n";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ScoreboardRequest request;
+  CLI::App program("Scores TOSS on simulated scenes and real data");
+  readArguments(program, request);
+  CLI11_PARSE(program, argc, argv);
+  try {
+    run(request);
+  } catch (const std::exception& error) {
+    std::cerr << "scoreboard: " << error.what() << "\n";
+    return 1;
+  }
+  return 0;
+}
