@@ -137,7 +137,7 @@ void Pipeline::Implementation::forgetOld() {
   // Traces that are not in the oldest scan left are newer than those in it, or over.
   const ScanRecord& oldest = records.front();
   if (!oldest.tracks.empty()) traces.forgetBelow(oldest.tracks.front().track);
-  if (options.voting.horizon > 0.0) voting.forgetBefore(oldest.time - options.voting.horizon);
+  if (options.voting.horizon > 0.0) voting.forgetBefore(oldest.time);
 }
 
 void Pipeline::Implementation::settle(bool all) {

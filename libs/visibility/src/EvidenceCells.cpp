@@ -84,8 +84,10 @@ std::vector<FreeSpaceSum> sumByInstance(const EvidenceCells& cells, std::int32_t
   for (std::size_t c = 0; c < cells.size(); ++c) {
     FreeSpaceSum& sum = sums[static_cast<std::size_t>(cells.instance[c])];
     ++sum.cells;
-    if (isFree(cells, c, minFreeViews)) ++sum.free;
-    if (isHit(cells, c)) ++sum.hit;
+    if (isFree(cells, c, minFreeViews))
+      ++sum.free;
+    else if (isHit(cells, c))
+      ++sum.hit;
   }
   return sums;
 }

@@ -16,7 +16,7 @@ void DecisionOptions::visit(OptionVisitor& v) {
   v.real({"veto_free_share", "", "and less than this share of it is seen through", "spec 12"},
          vetoFreeShare, 0.0, 1.0);
   v.integer(
-      {"min_cells", "", "Cells that an instance needs for its free share to count", "spec 12"},
+      {"min_cells", "", "Cells that must be seen through for the free share to count", "spec 12"},
       minCells, 1, 100);
   v.integer(
       {"lone_free_views", "", "Free views that make a return without an instance move", "spec 12"},

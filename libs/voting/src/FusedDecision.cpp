@@ -5,7 +5,7 @@ namespace toss {
 namespace {
 
 bool isSeenThrough(const FreeSpaceSum& evidence, double share, const DecisionOptions& options) {
-  return evidence.cells >= options.minCells && evidence.freeShare() >= share;
+  return evidence.free >= options.minCells && evidence.freeShare() >= share;
 }
 
 /// Much of it measured again, and next to nothing seen through: a wall whose visible part slides

@@ -63,18 +63,6 @@ class CellThinning {
   std::vector<std::int32_t> met_, stride_;
 };
 
-/// What views say about a set of cells together.
-struct FreeSpaceSum {
-  /// Cells in all, cells seen through, cells measured again.
-  int cells = 0, free = 0, hit = 0;
-
-  void add(const FreeSpaceSum& other) {
-    cells += other.cells, free += other.free, hit += other.hit;
-  }
-  double freeShare() const { return cells > 0 ? static_cast<double>(free) / cells : 0.0; }
-  double hitShare() const { return cells > 0 ? static_cast<double>(hit) / cells : 0.0; }
-};
-
 /// Whether a cell counts as seen through: before the scan (what is there has arrived), or after it
 /// (it has left). Asked together, an object that stands half of the time would be free in half of
 /// the views and hit in the others, as foliage is all the time.
@@ -85,6 +73,23 @@ inline bool isFree(const EvidenceCells& cells, std::size_t cell, int minFreeView
 inline bool isHit(const EvidenceCells& cells, std::size_t cell) {
   return cells.past.hitViews[cell] > 0 || cells.later.hitViews[cell] > 0;
 }
+
+/// What views say about a set of cells together.
+struct FreeSpaceSum {
+  /// Cells in all; cells seen through; cells measured again and not seen through. The others are
+  /// hidden from all views, or lie where no view has returns.
+  int cells = 0, free = 0, hit = 0;
+
+  void add(const FreeSpaceSum& other) {
+    cells += other.cells, free += other.free, hit += other.hit;
+  }
+  /// Shares of the cells that views say something about; 0 where they say nothing.
+  double freeShare() const {
+    return free + hit > 0 ? static_cast<double>(free) / (free + hit) : 0.0;
+  }
+  /// Share of all cells.
+  double hitShare() const { return cells > 0 ? static_cast<double>(hit) / cells : 0.0; }
+};
 
 /// Sums of each instance, shape [instanceCount + 1]; entry 0 holds the unclustered cells.
 std::vector<FreeSpaceSum> sumByInstance(const EvidenceCells& cells, std::int32_t instanceCount,

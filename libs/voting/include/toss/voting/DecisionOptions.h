@@ -16,8 +16,8 @@ struct DecisionOptions : Options {
   /// What was measured again by this share and seen through by less than that stays, however its
   /// trace moved.
   double vetoHitShare = 0.3, vetoFreeShare = 0.05;
-  /// Cells that an instance needs for its free share to count alone.
-  int minCells = 3;
+  /// Cells that must be seen through for the free share to count.
+  int minCells = 2;
   /// Free views that make a return without an instance move on its own.
   int loneFreeViews = 4;
   /// Whether boxes of traces claim returns that have no instance: feet and tyres in the ground
