@@ -79,7 +79,7 @@ struct Simulator::Implementation {
     result.scan.index = static_cast<std::uint64_t>(frame);
     result.scan.time = time;
     result.scan.sensorModel = sensor.name;
-    result.scan.sensorLabel = "LIDAR";
+    result.scan.sensorLabel = sensor.name;
     ++frame;
     return true;
   }
