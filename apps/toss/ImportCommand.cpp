@@ -6,6 +6,7 @@
 
 #include "Command.h"
 #include "Progress.h"
+#include "WholeNumber.h"
 
 namespace toss {
 namespace {
@@ -39,9 +40,8 @@ void addImportCommand(CLI::App& program, const Verbosity& verbosity) {
   kitti->add_option("DIR", request->input, "Folder with velodyne/ and poses.txt")->required();
   kitti->add_option("OUT", request->output, "The rawlog")->required();
   kitti->add_option("--from", request->options.from, "First scan, by the number in its name")
-      ->check(CLI::NonNegativeNumber);
-  kitti->add_option("--to", request->options.to, "Last scan, included")
-      ->check(CLI::NonNegativeNumber);
+      ->check(wholeNumber());
+  kitti->add_option("--to", request->options.to, "Last scan, included")->check(wholeNumber());
   kitti->add_flag("--gz", request->options.gz,
                   "Compress: a quarter smaller, some hundred times slower");
   kitti->callback([request, &verbosity] { import(*request, verbosity.quiet); });

@@ -3,6 +3,7 @@
 
 #include "Command.h"
 #include "MapRun.h"
+#include "WholeNumber.h"
 
 namespace toss {
 
@@ -16,9 +17,8 @@ void addMapCommand(CLI::App& program, const Verbosity& verbosity) {
   command->add_option("--config", request->configuration.file, "Configuration, an .ini file");
   command->add_option("--set", request->configuration.settings, "section.key=value, repeatable")
       ->allow_extra_args(false);
-  command->add_option("--from", request->from, "First scan, counted from 0")
-      ->check(CLI::NonNegativeNumber);
-  command->add_option("--to", request->to, "Last scan, included")->check(CLI::NonNegativeNumber);
+  command->add_option("--from", request->from, "First scan, counted from 0")->check(wholeNumber());
+  command->add_option("--to", request->to, "Last scan, included")->check(wholeNumber());
   command->add_option("--threads", request->threads, "Threads; 0 = all cores")
       ->check(CLI::Range(0, 1024));
   command->add_flag("!--no-snapshots", request->snapshots, "Draw no pictures");

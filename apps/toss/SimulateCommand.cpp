@@ -10,6 +10,7 @@
 
 #include "Command.h"
 #include "Progress.h"
+#include "WholeNumber.h"
 
 namespace toss {
 namespace {
@@ -56,7 +57,7 @@ void addSimulateCommand(CLI::App& program, const Verbosity& verbosity) {
   command->add_option("OUT", request->output, "The rawlog, or the folder in KITTI layout");
   command->add_option("--frames", request->simulation.frames, "Scans; 0 = the scene's own number");
   command->add_option("--seed", request->simulation.seed, "Seed of all that is random")
-      ->check(CLI::NonNegativeNumber);
+      ->check(wholeNumber());
   command->add_option("--sensor", request->simulation.sensor, "Sensor model, such as VLP-16");
   command->add_option("--pose-noise", request->simulation.poseNoise,
                       "Errors of the poses: 0 = none, 1 = as of a good odometry");

@@ -1,13 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <toss/geometry/Error.h>
+#include <toss/geometry/Options.h>
 
 #include <iostream>
+#include <string>
+#include <vector>
 
 #include "Command.h"
 
 namespace {
 
 constexpr int kWrongInput = 1, kInternalFault = 2;
+
+/// Throws UserError naming the nearest command where `arguments` name one that `program` lacks.
+void checkCommands(const CLI::App& program, const std::vector<std::string>& arguments) {
+  const CLI::App* app = &program;
+  for (const std::string& argument : arguments) {
+    if (argument.empty() || argument.front() == '-') continue;
+    std::vector<std::string> names;
+    const CLI::App* next = nullptr;
+    for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; })) {
+      names.push_back(command->get_name());
+      if (command->check_name(argument)) next = command;
+    }
+    if (names.empty()) return;
+    if (next == nullptr)
+      throw toss::UserError("'" + argument + "'", "is no command",
+                            "did you mean '" + toss::nearestName(argument, names) + "'?");
+    app = next;
+  }
+}
 
 int run(int argc, char** argv) {
   CLI::App program("TOSS: clean static maps from LiDAR logs full of people and vehicles", "toss");
@@ -29,6 +51,7 @@ int run(int argc, char** argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program.exit(error);
+    checkCommands(program, {argv + 1, argv + argc});
     std::cerr << "toss: " << error.what() << "; see toss --help\n";
     return kWrongInput;
   }
