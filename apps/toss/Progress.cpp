@@ -30,6 +30,7 @@ std::string Progress::line(std::uint64_t done, double fraction, double seconds) 
 }
 
 void Progress::update(std::uint64_t done, double fraction) {
+  interruption_.check();
   if (quiet_) return;
   const Clock::time_point now = Clock::now();
   const double seconds = std::chrono::duration<double>(now - start_).count();

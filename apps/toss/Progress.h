@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string>
 
+#include "Interruption.h"
+
 namespace toss {
 
 /// Tells on stderr how far a long run is: a line that renews itself on a terminal, one line every
@@ -15,13 +17,15 @@ class Progress {
   Progress(std::string what, std::string unit, bool quiet);
   ~Progress();
 
-  /// `done` units are done, which is the share `fraction` (0 to 1) of all.
+  /// `done` units are done, which is the share `fraction` (0 to 1) of all. Throws Interrupted where
+  /// the user has asked for it.
   void update(std::uint64_t done, double fraction);
 
  private:
   using Clock = std::chrono::steady_clock;
   std::string line(std::uint64_t done, double fraction, double seconds) const;
 
+  InterruptionGuard interruption_;
   std::string what_, unit_;
   bool quiet_, terminal_, shown_ = false;
   int lastTenth_ = 0;

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "Command.h"
+#include "Interruption.h"
 
 namespace {
 
-constexpr int kWrongInput = 1, kInternalFault = 2;
+constexpr int kWrongInput = 1, kInternalFault = 2, kInterrupted = 130;
 
 /// Throws UserError naming the nearest command where `arguments` name one that `program` lacks.
 void checkCommands(const CLI::App& program, const std::vector<std::string>& arguments) {
@@ -66,6 +67,9 @@ int main(int argc, char** argv) {
   } catch (const toss::UserError& error) {
     std::cerr << "toss: " << error.what() << "\n";
     return kWrongInput;
+  } catch (const toss::Interrupted&) {
+    std::cerr << "toss: interrupted; what was unfinished is cleared away\n";
+    return kInterrupted;
   } catch (const std::exception& error) {
     std::cerr << "toss: internal fault: " << error.what() << "\n";
     return kInternalFault;

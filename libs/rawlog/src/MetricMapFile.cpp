@@ -39,10 +39,14 @@ mrpt::serialization::CSerializable::Ptr readFirstObject(const std::filesystem::p
 }  // namespace
 
 void writeMetricMap(const std::filesystem::path& file, const std::vector<MapPoint>& points) {
+  writeObjectFile(file, toMrpt(points));
+}
+
+void writeObjectFile(const std::filesystem::path& file,
+                     const mrpt::serialization::CSerializable& object) {
   writeAtomically(file, [&](const std::filesystem::path& temporary) {
     OutputStream out(temporary, file.string(), OutputStream::Format::Gz);
-    const mrpt::maps::CPointsMapXYZI map = toMrpt(points);
-    mrpt::serialization::archiveFrom(out) << map;
+    out.writeObject(object);
     out.close();
   });
 }

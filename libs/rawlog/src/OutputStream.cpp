@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OutputStream.h"
 
+#include <mrpt/serialization/CArchive.h>
 #include <toss/geometry/Error.h>
 #include <zlib.h>
 
@@ -38,11 +39,22 @@ OutputStream::OutputStream(const std::filesystem::path& file, std::string shownA
 
 OutputStream::~OutputStream() = default;
 
-void OutputStream::fail(int errorNumber) const {
-  throw UserError(shownAs_,
-                  std::string("can not be written: ") +
-                      (errorNumber ? std::strerror(errorNumber) : "error while compressing"),
-                  "make room there, or choose another folder to write to");
+void OutputStream::fail(int errorNumber) {
+  const UserError error(shownAs_,
+                        std::string("can not be written: ") +
+                            (errorNumber ? std::strerror(errorNumber) : "error while compressing"),
+                        "make room there, or choose another folder to write to");
+  failure_ = error.what();
+  throw error;
+}
+
+void OutputStream::writeObject(const mrpt::serialization::CSerializable& object) {
+  try {
+    mrpt::serialization::archiveFrom(*this).WriteObject(object);
+  } catch (const std::exception&) {
+    if (failure_.empty()) throw;
+    throw UserError(failure_);
+  }
 }
 
 std::size_t OutputStream::Write(const void* buffer, std::size_t count) {

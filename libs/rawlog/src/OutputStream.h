@@ -8,6 +8,10 @@
 #include <memory>
 #include <string>
 
+namespace mrpt::serialization {
+class CSerializable;
+}
+
 namespace toss {
 
 /// A file to write to, plain or gz. MRPT's own streams lose the errors of a full disk; this one
@@ -21,6 +25,9 @@ class OutputStream : public mrpt::io::CStream {
   OutputStream(const std::filesystem::path& file, std::string shownAs, Format format);
   ~OutputStream() override;
 
+  /// Writes an object of MRPT. To be used rather than an archive: archives turn the UserError of
+  /// a full disk into an error of their own.
+  void writeObject(const mrpt::serialization::CSerializable& object);
   std::size_t Write(const void* buffer, std::size_t count) override;
   /// Plain files only, from the beginning only; std::logic_error otherwise.
   std::uint64_t Seek(std::int64_t offset, TSeekOrigin origin = sFromBeginning) override;
@@ -36,11 +43,13 @@ class OutputStream : public mrpt::io::CStream {
 
  private:
   struct Handle;
-  [[noreturn]] void fail(int errorNumber) const;
+  [[noreturn]] void fail(int errorNumber);
 
   std::string shownAs_;
   std::unique_ptr<Handle> handle_;
   std::uint64_t position_ = 0;
+  /// The error that writing ended with, "" = none.
+  std::string failure_;
 };
 
 }  // namespace toss

@@ -65,7 +65,7 @@ RawlogWriter::RawlogWriter(const std::filesystem::path& file, bool gz)
 RawlogWriter::~RawlogWriter() = default;
 
 void RawlogWriter::write(const mrpt::serialization::CSerializable& object) {
-  mrpt::serialization::archiveFrom(implementation_->out).WriteObject(object);
+  implementation_->out.writeObject(object);
 }
 
 void RawlogWriter::write(const PosedScan& scan) {

@@ -2,8 +2,7 @@
 #include <mrpt/opengl/COpenGLScene.h>
 #include <mrpt/opengl/CSetOfLines.h>
 #include <mrpt/opengl/CSetOfObjects.h>
-#include <toss/geometry/Error.h>
-#include <toss/rawlog/AtomicFile.h>
+#include <toss/rawlog/MetricMapFile.h>
 #include <toss/render/SceneFile.h>
 
 #include "LineDrawing.h"
@@ -106,11 +105,7 @@ void writeScene(const MapContent& content, const std::filesystem::path& file,
   mrpt::opengl::COpenGLScene scene;
   scene.insert(run);
   aimCamera(scene, extent);
-  writeAtomically(file, [&](const std::filesystem::path& temporary) {
-    if (!scene.saveToFile(temporary.string()))
-      throw UserError(file.string(), "can not be written",
-                      "make room there, or choose another folder to write to");
-  });
+  writeObjectFile(file, scene);
 }
 
 }  // namespace toss

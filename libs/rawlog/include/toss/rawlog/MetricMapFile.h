@@ -6,11 +6,20 @@
 #include <filesystem>
 #include <vector>
 
+namespace mrpt::serialization {
+class CSerializable;
+}
+
 namespace toss {
 
 /// Writes the points as one gz-serialized mrpt::maps::CPointsMapXYZI, the form in which MRPT's
 /// programs take a point map. Throws UserError where the file can not be written.
 void writeMetricMap(const std::filesystem::path& file, const std::vector<MapPoint>& points);
+
+/// Writes one object of MRPT, gz-serialized: a .metricmap, a .3Dscene. Throws UserError where the
+/// file can not be written, a full disk included.
+void writeObjectFile(const std::filesystem::path& file,
+                     const mrpt::serialization::CSerializable& object);
 
 /// Reads the first object of the file, which must be a point map of MRPT; intensity 0 where its
 /// class has none. Throws UserError for anything else.
