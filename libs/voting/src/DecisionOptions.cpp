@@ -8,6 +8,9 @@ void DecisionOptions::visit(OptionVisitor& v) {
          freeShare, 0.0, 1.0);
   v.real({"trace_free_share", "", "A trace moves if this share of it is seen through", "spec 12"},
          traceFreeShare, 0.0, 1.0);
+  v.real({"confirm_free_share", "", "A trace that moved weakly is strong from this share on",
+          "spec 12"},
+         confirmFreeShare, 0.0, 1.0);
   v.real({"live_free_share", "", "The same for live labels, from past views alone", "spec 12"},
          liveFreeShare, 0.0, 1.0);
   v.real({"veto_hit_share", "", "A trace stays if at least this share of it is measured again",

@@ -20,14 +20,16 @@ bool isConfirmedStanding(const FreeSpaceSum& evidence, const DecisionOptions& op
 MotionClass fuseTrace(MotionClass motion, const FreeSpaceSum& evidence,
                       const DecisionOptions& options) {
   if (isSeenThrough(evidence, options.traceFreeShare, options)) return MotionClass::Strong;
-  return isConfirmedStanding(evidence, options) ? MotionClass::Static : motion;
+  if (isConfirmedStanding(evidence, options)) return MotionClass::Static;
+  const bool confirmed = isSeenThrough(evidence, options.confirmFreeShare, options);
+  return isDynamic(motion) && confirmed ? MotionClass::Strong : motion;
 }
 
 bool fuseInstance(bool voted, MotionClass trace, const FreeSpaceSum& evidence,
                   const DecisionOptions& options) {
   if (isSeenThrough(evidence, options.freeShare, options)) return true;
-  if (voted && trace != MotionClass::Strong && isConfirmedStanding(evidence, options)) return false;
-  return voted;
+  // What moves at some time in its life may stand now; only a vote of others can be taken back.
+  return voted && (isDynamic(trace) || !isConfirmedStanding(evidence, options));
 }
 
 }  // namespace toss

@@ -11,7 +11,9 @@ struct DecisionOptions : Options {
   double freeShare = 0.5;
   /// The same for a trace, over all its instances.
   double traceFreeShare = 0.35;
-  /// The same for the live label, where only past views testify.
+  /// A trace that moved weakly counts as Strong from this share on: both kinds of evidence agree.
+  double confirmFreeShare = 0.15;
+  /// Share for the live label, where only past views testify.
   double liveFreeShare = 0.35;
   /// What was measured again by this share and seen through by less than that stays, however its
   /// trace moved.
