@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <toss/rawlog/AtomicFile.h>
 
-#include <fstream>
 #include <iostream>
 #include <memory>
 
@@ -13,9 +12,7 @@ namespace {
 
 void benchmark(const SemanticKittiRequest& request, bool quiet) {
   const std::string table = runSemanticKittiBenchmark(request, quiet);
-  if (!request.output.empty())
-    writeAtomically(request.output,
-                    [&](const std::filesystem::path& path) { std::ofstream(path) << table; });
+  if (!request.output.empty()) writeTextAtomically(request.output, table);
   if (!quiet || request.output.empty()) std::cout << table;
 }
 

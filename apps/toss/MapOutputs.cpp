@@ -4,6 +4,7 @@
 #include <toss/rawlog/AtomicFile.h>
 #include <toss/rawlog/LabelFile.h>
 #include <toss/rawlog/MetricMapFile.h>
+#include <toss/scoring/MethodRun.h>
 
 #include <algorithm>
 #include <sstream>
@@ -36,25 +37,6 @@ std::unique_ptr<AtomicFolder> folderIf(bool wanted, const fs::path& folder) {
   return wanted ? std::make_unique<AtomicFolder>(folder) : nullptr;
 }
 
-std::vector<std::uint32_t> toFileLabels(const ScanLabels& labels) {
-  std::vector<std::uint32_t> values(labels.state.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::uint32_t instance = (labels.track[i] & 0xFFFFu) << 16;
-    switch (labels.state[i]) {
-      case PointState::Invalid:
-        values[i] = label::kInvalid;
-        break;
-      case PointState::Static:
-        values[i] = instance | label::kStatic;
-        break;
-      case PointState::Moving:
-        values[i] = instance | label::kMoving;
-        break;
-    }
-  }
-  return values;
-}
-
 MapPoint mapPoint(const PosedScan& scan, std::size_t i) {
   const PointCloud& p = scan.points;
   const Eigen::Vector3f inMap =
@@ -81,11 +63,7 @@ void MapOutputs::addLive(const ScanLabels& labels) {
 }
 
 void MapOutputs::addInstances(std::uint64_t scan, const Segmentation& segmentation) {
-  std::vector<std::uint32_t> values(segmentation.pointClass.size());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] = static_cast<std::uint32_t>(segmentation.instance[i]) << 16 |
-                static_cast<std::uint32_t>(segmentation.pointClass[i]);
-  writeLabels(labelPath(instances_->temporaryPath(), scan), values);
+  writeLabels(labelPath(instances_->temporaryPath(), scan), toFileLabels(segmentation));
 }
 
 void MapOutputs::addSettled(const PosedScan& scan, const ScanLabels& labels) {

@@ -2,8 +2,8 @@
 #include "MapSummary.h"
 
 #include <toss/rawlog/AtomicFile.h>
+#include <toss/scoring/RunScores.h>
 
-#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -20,14 +20,6 @@ std::uintmax_t sizeOf(const fs::path& path) {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path))
     if (entry.is_regular_file()) sum += entry.file_size();
   return sum;
-}
-
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0.0;
-  const auto rank = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank),
-                   values.end());
-  return values[rank];
 }
 
 /// "section": {"key": value as text}.

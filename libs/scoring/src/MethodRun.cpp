@@ -16,14 +16,6 @@ std::vector<bool> movingOf(const ScanLabels& labels) {
   return moving;
 }
 
-std::vector<std::uint32_t> instancesOf(const Segmentation& segmentation) {
-  std::vector<std::uint32_t> values(segmentation.pointClass.size());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] = static_cast<std::uint32_t>(segmentation.instance[i]) << 16 |
-                static_cast<std::uint32_t>(segmentation.pointClass[i]);
-  return values;
-}
-
 std::uint32_t classOf(PointState state) {
   switch (state) {
     case PointState::Invalid:
@@ -34,6 +26,12 @@ std::uint32_t classOf(PointState state) {
       return label::kMoving;
   }
   return label::kInvalid;
+}
+
+void addStages(const std::vector<std::pair<std::string, double>>& times, MethodRun& run) {
+  if (run.stages.empty())
+    for (const auto& [stage, milliseconds] : times) run.stages.push_back({stage, {}});
+  for (std::size_t k = 0; k < times.size(); ++k) run.stages.at(k).second.push_back(times[k].second);
 }
 
 void takeSettled(Pipeline& pipeline, std::size_t& settled, MethodRun& run) {
@@ -54,6 +52,14 @@ std::vector<std::uint32_t> toFileLabels(const ScanLabels& labels) {
   return values;
 }
 
+std::vector<std::uint32_t> toFileLabels(const Segmentation& segmentation) {
+  std::vector<std::uint32_t> values(segmentation.pointClass.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = static_cast<std::uint32_t>(segmentation.instance[i]) << 16 |
+                static_cast<std::uint32_t>(segmentation.pointClass[i]);
+  return values;
+}
+
 MethodRun runPipeline(const LabelledLog& log, const PipelineOptions& options) {
   Pipeline pipeline(options, sensorByName(log.sensor));
   MethodRun run;
@@ -64,8 +70,9 @@ MethodRun runPipeline(const LabelledLog& log, const PipelineOptions& options) {
     const ScanLabels& live = pipeline.process(log.scans[s]);
     run.milliseconds.push_back(
         std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+    addStages(pipeline.stageTimes(), run);
     run.answers[s].liveMoving = movingOf(live);
-    run.answers[s].instances = instancesOf(pipeline.segmentedScan().segmentation);
+    run.answers[s].instances = toFileLabels(pipeline.segmentedScan().segmentation);
     takeSettled(pipeline, settled, run);
   }
   pipeline.finish();

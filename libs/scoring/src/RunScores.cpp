@@ -61,6 +61,8 @@ class Scorer {
     }
     scores_.medianMilliseconds = quantile(run_.milliseconds, 0.5);
     scores_.percentile95Milliseconds = quantile(run_.milliseconds, 0.95);
+    for (const auto& [stage, times] : run_.stages)
+      scores_.stageMedians.emplace_back(stage, quantile(times, 0.5));
     return std::move(scores_);
   }
 

@@ -65,14 +65,10 @@ PictureMaker::PictureMaker(std::filesystem::path folder)
     : folder_(std::move(folder)),
       temporary_(folder_ / ".pictures"),
       scenes_{"scenes.png", "The scenes, movers in red", 3, 640, {}},
-      voting_{
-          "voting.png", "Without and with DS-Voting: residue red, static lost blue", 2, 800, {}},
-      comparison_{"comparison.png",
-                  "Maps: moving removed green, residue red, static lost blue",
-                  3,
-                  640,
-                  {}},
-      terrain_{"rough_terrain.png", "Maps of rough terrain with the traces of movers", 3, 640, {}} {
+      errors_{"errors.png", "Errors of the default", 3, 640, {}},
+      voting_{"voting.png", "Without and with DS-Voting", 2, 800, {}},
+      comparison_{"comparison.png", "Auto-MOS, the paper, and the default", 3, 640, {}},
+      terrain_{"rough_terrain.png", "Maps of rough terrain with traces", 3, 640, {}} {
   std::filesystem::create_directories(temporary_);
 }
 
@@ -126,6 +122,7 @@ void PictureMaker::drawTraces(const FinishedCase& finished) {
 void PictureMaker::addCase(const FinishedCase& finished) {
   if (!canDraw_) return;
   const std::string& scene = finished.log.name;
+  drawErrors(finished, {kDefaultName}, errors_);
   if (placeAmong({"junction", "urban"}, scene) >= 0)
     drawErrors(finished, {kNoVotingName, kDefaultName}, voting_);
   if (placeAmong({"residential", "pedestrians"}, scene) >= 0)
@@ -137,7 +134,7 @@ void PictureMaker::addCase(const FinishedCase& finished) {
 
 std::vector<std::string> PictureMaker::finish() {
   std::vector<std::string> markdown;
-  for (Sheet* sheet : {&scenes_, &voting_, &comparison_, &terrain_}) {
+  for (Sheet* sheet : {&scenes_, &errors_, &voting_, &comparison_, &terrain_}) {
     if (sheet->entries.empty()) continue;
     std::vector<SheetEntry> entries;
     for (const auto& [place, entry] : sheet->entries) entries.push_back(entry);

@@ -13,9 +13,9 @@
 
 namespace toss {
 
-/// Makes the paper's figures out of the cases as they finish: maps in true and false colours
-/// without and with DS-Voting, of several methods, maps of rough terrain with traces, and all
-/// scenes.
+/// Makes the pictures out of the cases as they finish: all scenes, the errors on each, and the
+/// paper's figures: maps in true and false colours without and with DS-Voting and of several
+/// methods, maps of rough terrain with traces.
 class PictureMaker {
  public:
   /// `folder`: for the sheets; single pictures are kept in a temporary folder in it meanwhile.
@@ -42,7 +42,7 @@ class PictureMaker {
   std::filesystem::path nextFile();
 
   std::filesystem::path folder_, temporary_;
-  Sheet scenes_, voting_, comparison_, terrain_;
+  Sheet scenes_, errors_, voting_, comparison_, terrain_;
   int files_ = 0;
   bool canDraw_ = true;
 };

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <ostream>
+#include <functional>
+#include <sstream>
 #include <thread>
 
 #include "ResultSummary.h"
@@ -85,23 +86,79 @@ void writeAblation(std::ostream& out, const std::vector<CaseResult>& results,
   out << "\n![Change of F1 by variant](results_ablation.png)\n";
 }
 
+/// The default's result on seed 1 of a scene.
+const CaseResult* defaultResult(const std::vector<CaseResult>& results, const std::string& scene) {
+  for (const CaseResult& r : results)
+    if (r.scene == scene && r.variant == kDefaultName && r.seed == 1) return &r;
+  return nullptr;
+}
+
+/// A table with a row per scene for the default. `cells`: the row's values, after the scene.
+void writeDefaultTable(std::ostream& out, const std::vector<CaseResult>& results,
+                       const std::vector<std::string>& columns,
+                       const std::function<std::vector<std::string>(const RunScores&)>& cells) {
+  std::string rule = "\n|---|";
+  out << "\n| scene |";
+  for (const std::string& column : columns) out << " " << column << " |", rule += "---|";
+  out << rule << "\n";
+  for (const std::string& scene : scenesWorstFirst(results)) {
+    const CaseResult* result = defaultResult(results, scene);
+    if (result == nullptr) continue;
+    out << "| " << scene << " |";
+    for (const std::string& cell : cells(result->scores)) out << " " << cell << " |";
+    out << "\n";
+  }
+}
+
+template <typename Counts>
+void addShares(const Counts& counts, std::vector<std::string>& cells) {
+  for (const VoxelCounts& c : counts)
+    cells.push_back(
+        number(100.0 * static_cast<double>(c.right) / static_cast<double>(c.voxels), 2));
+}
+
 void writeResidue(std::ostream& out, const std::vector<CaseResult>& results) {
   out << "\n## Where what is left comes from\n\nMoving voxels that the default leaves in the map, "
-         "in percent of all moving voxels, by cause (seed 1).\n\n| scene | moving voxels |";
+         "in percent of all moving voxels, by cause (seed 1).\n";
+  std::vector<std::string> columns = {"moving voxels"};
   for (int c = 0; c < kLossCauses; ++c)
-    out << " " << lossCauseName(static_cast<LossCause>(c)) << " |";
-  out << "\n|---|---|";
-  for (int c = 0; c < kLossCauses; ++c) out << "---|";
-  out << "\n";
-  for (const std::string& scene : scenesWorstFirst(results))
-    for (const CaseResult& r : results) {
-      if (r.scene != scene || r.variant != kDefaultName || r.seed != 1) continue;
-      const auto all = static_cast<double>(r.scores.map.movingVoxels);
-      out << "| " << scene << " | " << r.scores.map.movingVoxels << " |";
-      for (const std::uint64_t voxels : r.scores.losses.residueByCause)
-        out << " " << number(100.0 * static_cast<double>(voxels) / all, 2) << " |";
-      out << "\n";
-    }
+    columns.emplace_back(lossCauseName(static_cast<LossCause>(c)));
+  writeDefaultTable(out, results, columns, [](const RunScores& scores) {
+    const auto all = static_cast<double>(scores.map.movingVoxels);
+    std::vector<std::string> cells = {std::to_string(scores.map.movingVoxels)};
+    for (const std::uint64_t voxels : scores.losses.residueByCause)
+      cells.push_back(number(100.0 * static_cast<double>(voxels) / all, 2));
+    return cells;
+  });
+}
+
+void writeBands(std::ostream& out, const std::vector<CaseResult>& results) {
+  out << "\n## By distance and by returns\n\nRR of the default by distance from the sensor and by "
+         "the object's returns in the scan, and PR by distance [%] (seed 1).\n";
+  std::vector<std::string> columns;
+  for (int b = 0; b < kRangeBands; ++b) columns.push_back(std::string("RR ") + rangeBandName(b));
+  for (int s = 0; s < kReturnSteps; ++s)
+    columns.push_back(std::string("RR ") + returnStepName(s) + " returns");
+  for (int b = 0; b < kRangeBands; ++b) columns.push_back(std::string("PR ") + rangeBandName(b));
+  writeDefaultTable(out, results, columns, [](const RunScores& scores) {
+    std::vector<std::string> cells;
+    addShares(scores.losses.movingByRange, cells);
+    addShares(scores.losses.movingByReturns, cells);
+    addShares(scores.losses.staticByRange, cells);
+    return cells;
+  });
+}
+
+void writeStages(std::ostream& out, const std::vector<CaseResult>& results) {
+  out << "\n## Where the time goes\n\nMedian per scan of the default by stage [ms] (seed 1).\n";
+  std::vector<std::string> columns;
+  const CaseResult* any = defaultResult(results, results.front().scene);
+  for (const auto& [stage, time] : any->scores.stageMedians) columns.push_back(stage);
+  writeDefaultTable(out, results, columns, [](const RunScores& scores) {
+    std::vector<std::string> cells;
+    for (const auto& [stage, time] : scores.stageMedians) cells.push_back(number(time, 2));
+    return cells;
+  });
 }
 
 void writeCases(std::ostream& out, const std::vector<CaseResult>& results,
@@ -127,16 +184,20 @@ void writeCases(std::ostream& out, const std::vector<CaseResult>& results,
 
 void writeResults(const ScoreboardRequest& request, const std::vector<CaseResult>& results,
                   const std::vector<Variant>& variants, const std::vector<std::string>& pictures) {
-  writeAtomically(request.output / "results.md", [&](const std::filesystem::path& path) {
-    std::ofstream out(path);
-    writeHead(out, request);
-    writeOverview(out, results, variants);
-    writeAblation(out, results, variants);
-    writeResidue(out, results);
-    if (!pictures.empty()) out << "\n## Pictures\n";
-    for (const std::string& picture : pictures) out << "\n" << picture << "\n";
-    writeCases(out, results, variants);
-  });
+  std::ostringstream out;
+  writeHead(out, request);
+  writeOverview(out, results, variants);
+  writeAblation(out, results, variants);
+  writeResidue(out, results);
+  writeBands(out, results);
+  writeStages(out, results);
+  if (!pictures.empty())
+    out << "\n## Pictures\n\nIn pictures of errors, moving points that were removed are green, "
+           "moving "
+           "points left behind red, static points lost blue.\n";
+  for (const std::string& picture : pictures) out << "\n" << picture << "\n";
+  writeCases(out, results, variants);
+  writeTextAtomically(request.output / "results.md", out.str());
 }
 
 }  // namespace toss

@@ -90,6 +90,9 @@ class LogRunner {
 std::vector<CaseResult> runScoreboard(const ScoreboardRequest& request,
                                       const std::vector<Variant>& variants,
                                       const ScoreboardObserver& observer) {
+  constexpr const char* kNoScene = "none";
+  for (const std::string& scene : request.scenes)
+    if (scene != kNoScene) sceneByName(scene);
   std::vector<CaseResult> all;
   const auto runLog = [&](const LabelledLog& log, std::uint64_t seed) {
     if (seed == 1) observer.log(log);

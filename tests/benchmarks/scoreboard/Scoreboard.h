@@ -18,10 +18,10 @@ struct ScoreboardRequest {
   /// Scans of each scene; 0 = the scene's own number.
   int frames = 0;
   /// Seeds 1 to this; ablations and OctoMap run on seed 1 alone.
-  int seeds = 1;
+  int seeds = 2;
   /// Cases that run at a time.
   int jobs = 2;
-  /// Scenes; empty = all.
+  /// Scenes; empty = all, "none" = none.
   std::vector<std::string> scenes;
   /// The real sequence in KITTI layout; empty = none.
   std::filesystem::path realSequence;
@@ -53,7 +53,8 @@ struct ScoreboardObserver {
   std::function<void(const FinishedCase&)> finished;
 };
 
-/// Runs every variant on every log. Results in the order of logs, then of variants.
+/// Runs every variant on every log. Throws UserError for unknown scenes. Results in the order of
+/// logs, then of variants.
 std::vector<CaseResult> runScoreboard(const ScoreboardRequest& request,
                                       const std::vector<Variant>& variants,
                                       const ScoreboardObserver& observer);

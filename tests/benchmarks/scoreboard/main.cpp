@@ -17,7 +17,8 @@ using namespace toss;
 void readArguments(CLI::App& program, ScoreboardRequest& request) {
   program.add_flag("--quick", request.quick, "40 scans per scene, one seed, few variants");
   program.add_option("--frames", request.frames, "Scans per scene; 0 = the scene's own number");
-  program.add_option("--seeds", request.seeds, "Seeds per scene")->check(CLI::Range(1, 100));
+  program.add_option("--seeds", request.seeds, "Seeds per scene, 1 with --quick")
+      ->check(CLI::Range(1, 100));
   program.add_option("--jobs", request.jobs, "Cases at a time")->check(CLI::Range(1, 256));
   program.add_option("--scene", request.scenes, "Only these scenes; 'none' for no simulated one");
   program.add_option("--real", request.realSequence, "Labelled real sequence, KITTI layout");
@@ -28,6 +29,7 @@ void readArguments(CLI::App& program, ScoreboardRequest& request) {
 void run(ScoreboardRequest& request) {
   constexpr int kQuickFrames = 40;
   if (request.quick && request.frames == 0) request.frames = kQuickFrames;
+  if (request.quick) request.seeds = 1;
   std::filesystem::create_directories(request.output);
   const std::vector<Variant> variants = allVariants(request.quick);
   PictureMaker pictures(request.output);
@@ -35,6 +37,8 @@ void run(ScoreboardRequest& request) {
       runScoreboard(request, variants,
                     {[&](const LabelledLog& log) { pictures.addLog(log); },
                      [&](const FinishedCase& finished) { pictures.addCase(finished); }});
+  if (results.empty())
+    throw UserError("scoreboard", "there is no log to run on", "name a scene, or give --real");
   const std::vector<std::string> drawn = pictures.finish();
   drawPlots(results, variants, request.output);
   writeResults(request, results, variants, drawn);

@@ -5,8 +5,11 @@
 #include <toss/pipeline/PipelineOptions.h>
 #include <toss/pipeline/ScanLabels.h>
 #include <toss/scoring/LabelledLog.h>
+#include <toss/segmentation/Segmentation.h>
 
 #include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace toss {
@@ -27,12 +30,17 @@ struct MethodRun {
   std::vector<ScanAnswer> answers;
   /// Time spent on each scan [ms], shape [scans].
   std::vector<double> milliseconds;
+  /// The same by stage, in the order of the stages, for methods that have stages.
+  std::vector<std::pair<std::string, std::vector<double>>> stages;
   /// Every trace in each scan, shape [scans][traces]: for pictures.
   std::vector<std::vector<TrackSample>> tracks;
 };
 
-/// Labels of a scan in the words of the label files.
+/// Labels of a scan in the words of the label files: class in the low 16 bits, trace in the high
+/// ones.
 std::vector<std::uint32_t> toFileLabels(const ScanLabels& labels);
+/// The same for segmentation: PointClass in the low 16 bits, instance in the high ones.
+std::vector<std::uint32_t> toFileLabels(const Segmentation& segmentation);
 
 /// Runs TOSS on the log, in this thread.
 MethodRun runPipeline(const LabelledLog& log, const PipelineOptions& options);

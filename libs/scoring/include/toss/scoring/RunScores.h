@@ -8,6 +8,8 @@
 #include <toss/scoring/MethodRun.h>
 
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace toss {
@@ -26,6 +28,8 @@ struct RunScores {
   std::optional<PreservationRejection> instanceBound, traceBound;
   /// Time per scan [ms].
   double medianMilliseconds = 0.0, percentile95Milliseconds = 0.0;
+  /// Median time by stage [ms], in the order of the stages.
+  std::vector<std::pair<std::string, double>> stageMedians;
 };
 
 /// Scores a run against the true labels of its log. `errors`, if given, receives the voxels of the
