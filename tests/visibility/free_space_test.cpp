@@ -32,6 +32,7 @@ std::vector<EvidenceCells> run(const std::function<AnalyticScene(double)>& scene
     LevelPoints points;
     const RangeImage image = scene(t).look(from, points);
     Segmentation segmentation;
+    segmentation.instanceCount = 2;
     segmentation.pointClass.assign(points.x.size(), PointClass::Instance);
     for (std::size_t p = 0; p < points.x.size(); ++p)
       segmentation.instance.push_back(
