@@ -16,9 +16,9 @@ namespace {
 constexpr std::size_t kPointsPerPicture = 1500000;
 
 /// Pictures of the sheets are small; their sheet makes them smaller still.
-RenderOptions cellOptions(PictureColor color) {
+RenderOptions cellOptions() {
   RenderOptions options;
-  options.width = 1280, options.height = 800, options.color = color;
+  options.width = 1280, options.height = 800, options.color = PictureColor::Class;
   return options;
 }
 
@@ -68,7 +68,8 @@ PictureMaker::PictureMaker(std::filesystem::path folder)
       errors_{"errors.png", "Errors of the default", 3, 640, {}},
       voting_{"voting.png", "Without and with DS-Voting", 2, 800, {}},
       comparison_{"comparison.png", "Auto-MOS, the paper, and the default", 3, 640, {}},
-      terrain_{"rough_terrain.png", "Maps of rough terrain with traces", 3, 640, {}} {
+      terrain_{
+          "rough_terrain.png", "Rough terrain: removed points red, traces of movers", 3, 640, {}} {
   std::filesystem::create_directories(temporary_);
 }
 
@@ -87,7 +88,7 @@ void PictureMaker::addLog(const LabelledLog& log) {
   try {
     renderPicture(contentOf(
                       log, [&](std::size_t s) -> const auto& { return log.labels[s]; }),
-                  View::Corner, file, cellOptions(PictureColor::Class));
+                  View::Corner, file, cellOptions());
   } catch (const RenderUnavailable& error) {
     std::cerr << "scoreboard: no pictures: " << error.what() << "\n";
     canDraw_ = false;
@@ -105,17 +106,16 @@ void PictureMaker::drawErrors(const FinishedCase& finished,
   content.keptStatic = finished.errors.kept, content.removedMoving = finished.errors.removed;
   content.keptMoving = finished.errors.residue, content.removedStatic = finished.errors.lost;
   const auto file = nextFile();
-  renderErrors(content, View::Top, file, cellOptions(PictureColor::Class));
+  renderErrors(content, View::Top, file, cellOptions());
   sheet.entries[{finished.log.name, place}] = {file, content.name};
 }
 
 void PictureMaker::drawTraces(const FinishedCase& finished) {
   MapContent content = contentOf(
       finished.log, [&](std::size_t s) -> const auto& { return finished.run.answers[s].final; });
-  content.movingPoints.clear();
   content.tracks = movingPaths(finished.run);
   const auto file = nextFile();
-  renderPicture(content, View::Corner, file, cellOptions(PictureColor::Height));
+  renderPicture(content, View::Corner, file, cellOptions());
   terrain_.entries[{finished.log.name, 0}] = {file, finished.log.name};
 }
 
