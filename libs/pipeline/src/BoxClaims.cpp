@@ -28,16 +28,20 @@ std::size_t gridIndex(int row, int column) {
 
 }  // namespace
 
-void BoxClaims::enter(const Box& box, std::int32_t number, const Eigen::Vector3d& sensorPosition) {
+void BoxClaims::enter(const Claimant& claimant, std::int32_t number,
+                      const Eigen::Vector3d& sensorPosition) {
+  const Box& box = claimant.box;
+  const double margin = claimant.cutsInstances ? 0.0 : margin_;
   const Eigen::Vector3f center = (box.center - sensorPosition).cast<float>();
   Footprint& f = footprints_[static_cast<std::size_t>(number)];
+  f.cutsInstances = claimant.cutsInstances;
   f.x = center.x(), f.y = center.y();
   f.cosYaw = static_cast<float>(std::cos(box.yaw)),
   f.sinYaw = static_cast<float>(std::sin(box.yaw));
-  f.halfLength = static_cast<float>(0.5 * box.length + margin_);
-  f.halfWidth = static_cast<float>(0.5 * box.width + margin_);
+  f.halfLength = static_cast<float>(0.5 * box.length + margin);
+  f.halfWidth = static_cast<float>(0.5 * box.width + margin);
   f.low = center.z() - static_cast<float>(0.5 * box.height + kBelowBox);
-  f.high = center.z() + static_cast<float>(0.5 * box.height + margin_);
+  f.high = center.z() + static_cast<float>(0.5 * box.height + margin);
   const float reachX = f.halfLength * std::fabs(f.cosYaw) + f.halfWidth * std::fabs(f.sinYaw);
   const float reachY = f.halfLength * std::fabs(f.sinYaw) + f.halfWidth * std::fabs(f.cosYaw);
   for (int row = cellOf(f.x - reachX); row <= cellOf(f.x + reachX); ++row)
@@ -55,13 +59,14 @@ bool BoxClaims::isClaimable(const Segmentation& segmentation, std::size_t point)
          segmentation.heightAboveGround[point] > static_cast<float>(residueHeight_);
 }
 
-std::int32_t BoxClaims::claimOf(float x, float y, float z) const {
+std::int32_t BoxClaims::claimOf(float x, float y, float z, bool fromInstance) const {
   const int row = cellOf(x), column = cellOf(y);
   if (!isInside(row) || !isInside(column)) return -1;
   for (std::int32_t e = grid_[gridIndex(row, column)]; e >= 0;
        e = entries_[static_cast<std::size_t>(e)].next) {
     const std::int32_t box = entries_[static_cast<std::size_t>(e)].box;
     const Footprint& f = footprints_[static_cast<std::size_t>(box)];
+    if (fromInstance && !f.cutsInstances) continue;
     const float dx = x - f.x, dy = y - f.y;
     if (z >= f.low && z <= f.high && std::fabs(f.cosYaw * dx + f.sinYaw * dy) <= f.halfLength &&
         std::fabs(f.cosYaw * dy - f.sinYaw * dx) <= f.halfWidth)
@@ -71,24 +76,28 @@ std::int32_t BoxClaims::claimOf(float x, float y, float z) const {
 }
 
 void BoxClaims::find(const LevelPoints& points, const Segmentation& segmentation,
-                     const std::vector<Box>& boxes, const Eigen::Vector3d& sensorPosition,
-                     std::vector<std::int32_t>& claimOfPoint) {
+                     const std::vector<Claimant>& claimants, const Eigen::Vector3d& sensorPosition,
+                     const std::vector<bool>& standing, std::vector<std::int32_t>& claimOfPoint) {
   claimOfPoint.assign(segmentation.pointClass.size(), -1);
   grid_.assign(static_cast<std::size_t>(kCells) * kCells, -1);
   entries_.clear();
-  footprints_.resize(boxes.size());
+  footprints_.resize(claimants.size());
   // Entered last means found first: larger boxes go in before smaller ones.
-  std::vector<std::int32_t> order(boxes.size());
+  std::vector<std::int32_t> order(claimants.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-    return boxes[static_cast<std::size_t>(a)].volume() >
-           boxes[static_cast<std::size_t>(b)].volume();
-  });
+  const auto volume = [&](std::int32_t c) {
+    return claimants[static_cast<std::size_t>(c)].box.volume();
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::int32_t a, std::int32_t b) { return volume(a) > volume(b); });
   for (const std::int32_t number : order)
-    enter(boxes[static_cast<std::size_t>(number)], number, sensorPosition);
-  for (std::size_t i = 0; i < claimOfPoint.size(); ++i)
-    if (isClaimable(segmentation, i))
-      claimOfPoint[i] = claimOf(points.x[i], points.y[i], points.z[i]);
+    enter(claimants[static_cast<std::size_t>(number)], number, sensorPosition);
+  for (std::size_t i = 0; i < claimOfPoint.size(); ++i) {
+    const bool fromInstance = segmentation.pointClass[i] == PointClass::Instance &&
+                              standing[static_cast<std::size_t>(segmentation.instance[i])];
+    if (fromInstance || isClaimable(segmentation, i))
+      claimOfPoint[i] = claimOf(points.x[i], points.y[i], points.z[i], fromInstance);
+  }
 }
 
 }  // namespace toss

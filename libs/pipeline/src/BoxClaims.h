@@ -9,32 +9,44 @@
 
 namespace toss {
 
-/// Finds, for returns that are in no instance, the box that claims them (spec sections 10.2, 10.3
-/// and 10.9): sparse returns, the edges of an object, the feet and tyres that the ground took.
+/// Finds the box that claims a return (spec sections 10.2, 10.3, 10.9 and 10.11): sparse returns,
+/// the edges of an object, the feet and tyres that the ground took, and what has melted into a
+/// standing instance that a moving trace passes.
 class BoxClaims {
  public:
+  /// A box that may claim returns.
+  struct Claimant {
+    /// Map frame [m].
+    Box box;
+    /// Whether it takes returns out of standing instances: a moving trace that was missed in this
+    /// scan. Its box is taken without the margin then.
+    bool cutsInstances = false;
+  };
+
   /// `margin` [m]: growth of each box to its sides and top. `residueHeight` [m]: ground returns
   /// lower than this over the ground stay ground.
   BoxClaims(double margin, double residueHeight) : margin_(margin), residueHeight_(residueHeight) {}
 
-  /// Number of the claiming box for each return or -1, shape [n]; the smallest box wins. `boxes` in
-  /// the map frame, `sensorPosition` the origin of the level frame there.
+  /// Number of the claimant of each return or -1, shape [n]; the smallest box wins.
+  /// `sensorPosition`: origin of the level frame in the map. `standing`: whether instance k may be
+  /// cut, shape [instanceCount + 1].
   void find(const LevelPoints& points, const Segmentation& segmentation,
-            const std::vector<Box>& boxes, const Eigen::Vector3d& sensorPosition,
-            std::vector<std::int32_t>& claimOfPoint);
+            const std::vector<Claimant>& claimants, const Eigen::Vector3d& sensorPosition,
+            const std::vector<bool>& standing, std::vector<std::int32_t>& claimOfPoint);
 
  private:
   /// Upright box in the level frame, ready to be tested.
   struct Footprint {
     float x, y, cosYaw, sinYaw, halfLength, halfWidth, low, high;
+    bool cutsInstances;
   };
   /// Entry of a grid cell's list of boxes.
   struct Entry {
     std::int32_t box, next;
   };
-  void enter(const Box& box, std::int32_t number, const Eigen::Vector3d& sensorPosition);
+  void enter(const Claimant& claimant, std::int32_t number, const Eigen::Vector3d& sensorPosition);
   bool isClaimable(const Segmentation& segmentation, std::size_t point) const;
-  std::int32_t claimOf(float x, float y, float z) const;
+  std::int32_t claimOf(float x, float y, float z, bool fromInstance) const;
 
   double margin_, residueHeight_;
   std::vector<Footprint> footprints_;

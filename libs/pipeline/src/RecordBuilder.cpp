@@ -26,16 +26,23 @@ void RecordBuilder::addInstances(const std::vector<Detection>& detections, const
 void RecordBuilder::addClaims(const SegmentedScan& segmented,
                               const std::vector<Detection>& detections, const Tracker& tracker,
                               ScanRecord& record) {
-  std::vector<Box> boxes;
+  std::vector<bool> standing(record.owners.size());
+  for (std::size_t k = 1; k < standing.size(); ++k) {
+    const Track* track = findTrack(tracker.tracks(), record.owners[k].track);
+    standing[k] = track == nullptr || !isDynamic(track->motion);
+  }
+  std::vector<BoxClaims::Claimant> claimants;
   for (const Track& track : tracker.tracks()) {
     // What was seen tells the extent of this scan better than the smoothed estimate.
-    boxes.push_back(track.updated() ? detections[static_cast<std::size_t>(track.detection)].box
-                                    : track.box);
+    claimants.push_back(
+        track.updated()
+            ? BoxClaims::Claimant{detections[static_cast<std::size_t>(track.detection)].box, false}
+            : BoxClaims::Claimant{track.box, isDynamic(track.motion)});
     Owner owner;
     owner.track = track.id;
     record.owners.push_back(owner);
   }
-  claims_.find(segmented.level, segmented.segmentation, boxes, record.sensorPosition,
+  claims_.find(segmented.level, segmented.segmentation, claimants, record.sensorPosition, standing,
                claimOfPoint_);
   const std::int32_t firstClaim = segmented.segmentation.instanceCount + 1;
   for (std::size_t i = 0; i < claimOfPoint_.size(); ++i)

@@ -25,7 +25,9 @@ int bottomStripHeight(double unit) {
 
 std::string numberText(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, std::abs(value) >= 100.0 ? "%.0f" : "%.3g", value);
+  // Steps of a hundredth up to ten, of a tenth up to a hundred: digits beyond these say nothing.
+  const double step = std::abs(value) >= 100.0 ? 1.0 : std::abs(value) >= 10.0 ? 0.1 : 0.01;
+  std::snprintf(text, sizeof text, "%.6g", std::round(value / step) * step);
   return std::string(text) == "-0" ? "0" : text;
 }
 
