@@ -56,6 +56,8 @@ class AnalyticScene {
         const Eigen::Vector3f p = (range * direction(r, c)).cast<float>();
         points.x.push_back(p.x()), points.y.push_back(p.y()), points.z.push_back(p.z());
         image.range.push_back(static_cast<float>(range));
+        image.row.push_back(static_cast<std::uint16_t>(r));
+        image.column.push_back(static_cast<std::uint16_t>(c));
       }
     }
     return image;

@@ -14,6 +14,13 @@ using Eigen::Vector3d;
 
 const AlignedBox3d kWall(Vector3d(20, -15, -5), Vector3d(21, 15, 8));
 
+/// The sensor is parallel to the map: its frame is the level frame.
+PointCloud inSensorFrame(const LevelPoints& points) {
+  PointCloud cloud;
+  cloud.x = points.x, cloud.y = points.y, cloud.z = points.z;
+  return cloud;
+}
+
 /// Ten scans a second for `seconds` of what `scene(t)` shows; instance 1 is what `isObject` says.
 std::vector<EvidenceCells> run(const std::function<AnalyticScene(double)>& scene,
                                const std::function<bool(const Vector3d&)>& isObject, double seconds,
@@ -39,7 +46,8 @@ std::vector<EvidenceCells> run(const std::function<AnalyticScene(double)>& scene
           isObject(from + Vector3d(points.x[p], points.y[p], points.z[p])) ? 1 : 2);
     EvidenceCells cells;
     thinning.thin(points, segmentation, cells);
-    witness.add(t, image, Eigen::Isometry3d(Eigen::Translation3d(from)), std::move(cells));
+    witness.add(t, image, inSensorFrame(points), Eigen::Isometry3d(Eigen::Translation3d(from)),
+                std::move(cells));
     if (past != nullptr)
       past->push_back(sumByInstance(witness.latest(), 2, options.minFreeViews)[1]);
     take(false);
@@ -151,7 +159,8 @@ TEST(FreeSpace, FarFromTheOriginNothingChanges) {
   LevelPoints points;
   image = boxBetween(0, -1, 9).look(Vector3d::Zero(), points);
   std::vector<std::uint8_t> free(points.x.size(), 0), hits(points.x.size(), 0);
-  const RangeView view(image, Eigen::Isometry3d(Eigen::Translation3d(far)), options);
+  const RangeView view(image, inSensorFrame(points), Eigen::Isometry3d(Eigen::Translation3d(far)),
+                       options);
   view.testify(points.x.data(), points.y.data(), points.z.data(), points.x.size(), far, free.data(),
                hits.data());
   for (std::size_t i = 0; i < hits.size(); ++i) EXPECT_EQ(1, hits[i]);

@@ -48,7 +48,7 @@ void Pipeline::Implementation::askViews(const PosedScan& scan) {
   if (options.visibility.enabled) {
     EvidenceCells cells;
     thinning.thin(segmented.level, segmented.segmentation, cells);
-    witness.add(scan.time, segmented.image, scan.mapFromSensor, std::move(cells));
+    witness.add(scan.time, segmented.image, scan.points, scan.mapFromSensor, std::move(cells));
     pastEvidence = sumByInstance(witness.latest(), segmented.segmentation.instanceCount,
                                  options.visibility.minFreeViews);
     for (std::size_t k = 1; k < pastEvidence.size(); ++k)

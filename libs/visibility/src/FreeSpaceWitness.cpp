@@ -30,10 +30,10 @@ void FreeSpaceWitness::exchange(Scan& earlier, Scan& later) const {
   testify(later.view, earlier.position, earlier.cells, earlier.cells.later);
 }
 
-void FreeSpaceWitness::add(double time, const RangeImage& image,
+void FreeSpaceWitness::add(double time, const RangeImage& image, const PointCloud& points,
                            const Eigen::Isometry3d& mapFromSensor, EvidenceCells cells) {
   scans_.push_back({time, mapFromSensor.translation(), std::move(cells),
-                    RangeView(image, mapFromSensor, options_)});
+                    RangeView(image, points, mapFromSensor, options_)});
   Scan& latest = scans_.back();
   std::size_t candidate = scans_.size() - 1;
   // Offsets ascend, so each asks an older scan than the one before, and none is asked twice.

@@ -23,29 +23,38 @@ std::size_t elevationStep(float elevation) {
 
 }  // namespace
 
-RangeView::RangeView(const RangeImage& image, const Eigen::Isometry3d& mapFromSensor,
-                     const VisibilityOptions& options)
+RangeView::RangeView(const RangeImage& image, const PointCloud& points,
+                     const Eigen::Isometry3d& mapFromSensor, const VisibilityOptions& options)
     : rows_(image.rows),
       columns_(std::min(options.columns, image.columns)),
       freeMargin_(static_cast<float>(options.freeMargin)),
       freeMarginShare_(static_cast<float>(options.freeMarginShare)),
       hitMargin_(static_cast<float>(options.hitMargin)),
       sensorFromMap_(mapFromSensor.inverse()) {
-  fillRanges(image);
-  fillNearest();
   fillRowTable(image.elevations);
+  fillRanges(image, points);
+  fillNearest();
 }
 
-void RangeView::fillRanges(const RangeImage& image) {
-  const auto size = static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_);
-  ranges_.assign(size, kEmpty);
-  for (int r = 0; r < rows_; ++r) {
-    float* row = ranges_.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_);
-    for (int c = 0; c < image.columns; ++c) {
-      const std::int32_t point = image.at(r, c);
-      if (point == RangeImage::kNone) continue;
-      float& pixel = row[c * columns_ / image.columns];
-      pixel = std::min(pixel, image.range[static_cast<std::size_t>(point)]);
+void RangeView::fillRanges(const RangeImage& image, const PointCloud& points) {
+  const auto width = static_cast<std::size_t>(columns_);
+  ranges_.assign(static_cast<std::size_t>(rows_) * width, kEmpty);
+  constexpr std::size_t kBlock = 256;
+  std::array<float, kBlock> elevation;
+  for (std::size_t begin = 0; begin < points.size(); begin += kBlock) {
+    const std::size_t size = std::min(kBlock, points.size() - begin);
+    for (std::size_t i = 0; i < size; ++i) {
+      const float range = image.range[begin + i], z = points.z[begin + i];
+      elevation[i] = fastAtan2(z, std::sqrt(std::max(range * range - z * z, 0.0f)));
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+      if (image.row[begin + i] == RangeImage::kNoRow) continue;
+      const int row = rowOfElevation_[elevationStep(elevation[i])];
+      if (row < 0) continue;
+      const int column = image.column[begin + i] * columns_ / image.columns;
+      float& pixel =
+          ranges_[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)];
+      pixel = std::min(pixel, image.range[begin + i]);
     }
   }
 }

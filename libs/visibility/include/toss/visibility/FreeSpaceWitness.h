@@ -21,8 +21,8 @@ class FreeSpaceWitness {
   /// Adds a scan, later than the last one. `cells` come back with the evidence of past views alone
   /// (the live evidence) through latest(); later views add to them until takeComplete() hands them
   /// out.
-  void add(double time, const RangeImage& image, const Eigen::Isometry3d& mapFromSensor,
-           EvidenceCells cells);
+  void add(double time, const RangeImage& image, const PointCloud& points,
+           const Eigen::Isometry3d& mapFromSensor, EvidenceCells cells);
 
   /// The cells of the scan that was added last. Call only while it is not taken yet.
   const EvidenceCells& latest() const { return scans_.back().cells; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <toss/geometry/PointCloud.h>
 #include <toss/segmentation/RangeImage.h>
 #include <toss/visibility/VisibilityOptions.h>
 
@@ -13,9 +14,11 @@ namespace toss {
 /// The ranges that one scan measured, kept to be asked later: "did you see through this point?"
 class RangeView {
  public:
-  /// `mapFromSensor`: pose of the sensor when it took `image`.
-  RangeView(const RangeImage& image, const Eigen::Isometry3d& mapFromSensor,
-            const VisibilityOptions& options);
+  /// `points`: the scan behind `image`, sensor frame; `mapFromSensor`: pose of the sensor then.
+  /// Returns are filed by their elevation, not by the beam that made them: points are looked up by
+  /// elevation, and on a robot that pitches within its sweep the two differ by several rows.
+  RangeView(const RangeImage& image, const PointCloud& points,
+            const Eigen::Isometry3d& mapFromSensor, const VisibilityOptions& options);
 
   /// Asks about points given in the level frame of a scan taken at `position` [m, map frame]:
   /// x, y, z [m], shape [count]. Adds 1 to freeViews[i] where the view sees past point i in the
@@ -25,7 +28,7 @@ class RangeView {
                std::uint8_t* hitViews) const;
 
  private:
-  void fillRanges(const RangeImage& image);
+  void fillRanges(const RangeImage& image, const PointCloud& points);
   void fillNearest();
   void fillRowTable(const std::vector<float>& elevations);
   void judge(float range, int row, int column, std::uint8_t& freeViews,
