@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapOutputs.h"
 
+#include <toss/evaluation/MethodRun.h>
 #include <toss/rawlog/AtomicFile.h>
 #include <toss/rawlog/LabelFile.h>
 #include <toss/rawlog/MetricMapFile.h>
-#include <toss/scoring/MethodRun.h>
 
 #include <algorithm>
 #include <sstream>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapSummary.h"
 
+#include <toss/evaluation/RunScores.h>
 #include <toss/rawlog/AtomicFile.h>
-#include <toss/scoring/RunScores.h>
 
 #include <iomanip>
 #include <iostream>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SemanticKittiBenchmark.h"
 
-#include <toss/scoring/RunScores.h>
+#include <toss/evaluation/RunScores.h>
 
 #include <algorithm>
 #include <array>

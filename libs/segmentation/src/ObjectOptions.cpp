@@ -39,6 +39,13 @@ void visitLinks(ObjectOptions& options, OptionVisitor& visitor) {
       {"max_height_gap", "m", "greatest height difference of a link that crosses rows in between",
        "spec section 2.8"},
       options.maxHeightGap, 0.0, 1000.0);
+  visitor.real(
+      {"surface_distance", "m",
+       "neighbouring returns on a grazed surface are linked up to this distance; 0 = never",
+       "measured: keeps bonnets and windscreens with their car"},
+      options.surfaceDistance, 0.0, 5.0);
+  visitor.real({"surface_depth", "m", "where both lie this far below the sensor", "measured"},
+               options.surfaceDepth, 0.0, 100.0);
 }
 
 void visitCoverage(ObjectOptions& options, OptionVisitor& visitor) {

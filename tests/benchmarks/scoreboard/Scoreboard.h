@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <toss/scoring/RunScores.h>
+#include <toss/evaluation/RunScores.h>
 
 #include <filesystem>
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <toss/scoring/MethodRun.h>
+#include <toss/evaluation/MethodRun.h>
 
 #include <functional>
 #include <string>

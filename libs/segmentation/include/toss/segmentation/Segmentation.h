@@ -7,7 +7,8 @@
 
 namespace toss {
 
-/// What a return is, decided by segmentation; exactly one per input point (spec, pipeline contract).
+/// What a return is, decided by segmentation; exactly one per input point (spec, pipeline
+/// contract).
 enum class PointClass : std::uint8_t {
   Invalid,      ///< not finite, at the origin, or on the robot's own body
   OutOfRange,   ///< nearer than min_range or farther than max_range

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <toss/evaluation/MethodRun.h>
 #include <toss/pipeline/Pipeline.h>
 #include <toss/rawlog/LabelFile.h>
-#include <toss/scoring/MethodRun.h>
 
 #include <chrono>
 

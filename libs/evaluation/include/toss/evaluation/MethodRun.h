@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <toss/evaluation/LabelledLog.h>
 #include <toss/mapping/VoxelMap.h>
 #include <toss/pipeline/PipelineOptions.h>
 #include <toss/pipeline/ScanLabels.h>
-#include <toss/scoring/LabelledLog.h>
 #include <toss/segmentation/Segmentation.h>
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <toss/evaluation/Evaluation.h>
+#include <toss/evaluation/RunScores.h>
 #include <toss/geometry/OptionSections.h>
 #include <toss/rawlog/LabelFile.h>
-#include <toss/scoring/RunScores.h>
 #include <toss/simulation/SimulateTo.h>
 
 #include "InputFixtures.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <toss/evaluation/MapEstimates.h>
+#include <toss/evaluation/RunScores.h>
 #include <toss/rawlog/LabelFile.h>
-#include <toss/scoring/RunScores.h>
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 
 #include <toss/evaluation/EvaluationOptions.h>
 #include <toss/evaluation/LossCauses.h>
+#include <toss/evaluation/MethodRun.h>
 #include <toss/evaluation/MovingScores.h>
 #include <toss/evaluation/PreservationRejection.h>
-#include <toss/scoring/MethodRun.h>
 
 #include <optional>
 #include <string>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <toss/evaluation/LabelledLog.h>
 #include <toss/geometry/Error.h>
 #include <toss/rawlog/LabelFile.h>
 #include <toss/rawlog/ScanSource.h>
 #include <toss/rawlog/SensorRecognition.h>
-#include <toss/scoring/LabelledLog.h>
 
 namespace toss {
 namespace {
