@@ -64,7 +64,8 @@ TEST_F(SemanticKittiFolder, IsScoredBesideThePublishedRows) {
   EXPECT_THAT(table, testing::HasSubstr("| TOSS (published) | 99.87 / 80.70 / 0.893 |"));
   EXPECT_THAT(table, testing::HasSubstr("98.64 / 98.78 / 0.987"));
   EXPECT_THAT(table, testing::ContainsRegex("every scan\\*\\* \\| - \\| [0-9.]+ / 9[0-9.]+ / 0.9"));
-  EXPECT_THAT(table, testing::ContainsRegex("every second scan\\*\\* \\| - \\| [0-9.]+ / 9[0-9.]+ / 0.9"));
+  EXPECT_THAT(table,
+              testing::ContainsRegex("every second scan\\*\\* \\| - \\| [0-9.]+ / 9[0-9.]+ / 0.9"));
   EXPECT_THAT(table, testing::HasSubstr("Sequence 05 is absent and was skipped."));
   EXPECT_THAT(table, testing::Not(testing::HasSubstr("Sequence 01 is absent")));
 }

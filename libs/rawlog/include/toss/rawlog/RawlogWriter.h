@@ -20,7 +20,8 @@ namespace toss {
 class RawlogWriter {
  public:
   /// `gz`: whether to compress. Off by default: it saves a quarter to a half of the size, and
-  /// writing and reading take ten times as long or more. Throws UserError if the file can't be made.
+  /// writing and reading take ten times as long or more. Throws UserError if the file can't be
+  /// made.
   explicit RawlogWriter(const std::filesystem::path& file, bool gz = false);
   ~RawlogWriter();
 

@@ -19,8 +19,8 @@ struct RangeImage {
   int rows = 0, columns = 0;
   /// Point index of the nearest return in each pixel or kNone, row-major, shape [rows * columns].
   std::vector<std::int32_t> representative;
-  /// Another return of the same pixel or kNone, shape [n]. Only the head of a chain is sorted: it is
-  /// the nearest, the others follow in a fixed order of their own.
+  /// Another return of the same pixel or kNone, shape [n]. Only the head of a chain is sorted: it
+  /// is the nearest, the others follow in a fixed order of their own.
   std::vector<std::int32_t> next;
   /// Pixel of each point, shape [n]; row is kNoRow for points that are INVALID or OUT_OF_RANGE.
   std::vector<std::uint16_t> row, column;
