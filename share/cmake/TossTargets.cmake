@@ -17,6 +17,8 @@ endif()
 function(toss_compile_options target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow
     $<$<BOOL:${TOSS_WARNINGS_AS_ERRORS}>:-Werror>)
+  # Lets loops with square roots and choices be vectorised; changes no result.
+  target_compile_options(${target} PRIVATE -fno-math-errno -fno-trapping-math)
   # The same bytes on every machine: no contraction of a*b+c into a fused instruction.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
 endfunction()

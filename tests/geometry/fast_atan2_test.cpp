@@ -12,7 +12,7 @@ TEST(FastAtan2, IsWithinItsBoundAllAround) {
       const auto y = static_cast<float>(radius * std::sin(angle));
       const auto x = static_cast<float>(radius * std::cos(angle));
       const double exact = std::atan2(static_cast<double>(y), static_cast<double>(x));
-      ASSERT_NEAR(exact, static_cast<double>(fastAtan2(y, x)), 1e-5) << "angle " << angle;
+      ASSERT_NEAR(exact, static_cast<double>(fastAtan2(y, x)), 1e-6) << "angle " << angle;
     }
   }
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <toss/geometry/FastAtan2.h>
 #include <toss/segmentation/RangeImageProjection.h>
 
 #include <algorithm>
 #include <limits>
-
-#include "FastArcTangent.h"
 
 namespace toss {
 namespace {
@@ -25,7 +24,7 @@ ProjectionOptions checked(ProjectionOptions options, const SensorModel& sensor) 
 
 void findAzimuths(const float* __restrict x, const float* __restrict y, std::size_t n,
                   float* __restrict azimuth) {
-  for (std::size_t i = 0; i < n; ++i) azimuth[i] = fastArcTangent2(y[i], x[i]);
+  for (std::size_t i = 0; i < n; ++i) azimuth[i] = fastAtan2(y[i], x[i]);
 }
 
 void findDistances(const float* __restrict x, const float* __restrict y, const float* __restrict z,
