@@ -1,28 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plots.h"
 
-#include <toss/rawlog/AtomicFile.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "PlotStyle.h"
 #include "ResultSummary.h"
 
 namespace toss {
 namespace {
 
-/// Colours that stay apart for the colour-blind (Okabe and Ito), blue-green-red.
-const cv::Scalar kColors[] = {{153, 153, 153}, {66, 228, 240}, {0, 159, 230},
-                              {178, 114, 0},   {115, 158, 0},  {167, 121, 204}};
-const cv::Scalar kInk(40, 40, 40), kGrid(220, 220, 220);
 constexpr int kWidth = 1280, kLeft = 210, kRight = 40, kTop = 70;
-
-void write(cv::Mat& image, const std::string& text, int x, int y) {
-  cv::putText(image, text, {x, y}, cv::FONT_HERSHEY_SIMPLEX, 0.5, kInk, 1, cv::LINE_AA);
-}
 
 std::string toText(double value, const char* format) {
   char text[32];
@@ -65,12 +55,7 @@ class BarChart {
     cv::rectangle(image_, cv::Rect(x, 38, 14, 14), color, cv::FILLED);
     write(image_, text, x + 20, 50);
   }
-  void save(const std::filesystem::path& file) const {
-    writeAtomically(file, [&](const std::filesystem::path& path) {
-      if (!cv::imwrite(path.string(), image_))
-        throw UserError(file.string(), "can not be written", "give another folder");
-    });
-  }
+  void save(const std::filesystem::path& file) const { savePlot(image_, file); }
 
  private:
   int column(double value) const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace toss {
@@ -46,6 +47,20 @@ SceneScore sceneScore(const std::vector<CaseResult>& results, const std::string&
     if (r.scene == scene && r.variant == variant) add(r, score);
   if (score.seeds > 0) divide(score);
   return score;
+}
+
+const CaseResult* firstResult(const std::vector<CaseResult>& results, const std::string& scene,
+                              const std::string& variant) {
+  for (const CaseResult& r : results)
+    if (r.scene == scene && r.variant == variant && r.seed == 1) return &r;
+  return nullptr;
+}
+
+std::string numberText(double value, int decimals, bool sign) {
+  if (!std::isfinite(value)) return "-";
+  char text[48];
+  std::snprintf(text, sizeof(text), sign ? "%+.*f" : "%.*f", decimals, value);
+  return text;
 }
 
 std::vector<std::string> scenesWorstFirst(const std::vector<CaseResult>& results) {

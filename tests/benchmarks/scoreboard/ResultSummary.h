@@ -25,6 +25,13 @@ struct SceneScore {
 SceneScore sceneScore(const std::vector<CaseResult>& results, const std::string& scene,
                       const std::string& variant);
 
+/// The result of a variant on seed 1 of a scene, nullptr where it did not run there.
+const CaseResult* firstResult(const std::vector<CaseResult>& results, const std::string& scene,
+                              const std::string& variant);
+
+/// A number for tables and plots, "-" if it is not finite; with "+" where positive if `sign`.
+std::string numberText(double value, int decimals, bool sign = false);
+
 /// The scenes in the results, that with the lowest F1 of the default first.
 std::vector<std::string> scenesWorstFirst(const std::vector<CaseResult>& results);
 

@@ -3,24 +3,16 @@
 
 #include <toss/rawlog/AtomicFile.h>
 
-#include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <functional>
 #include <sstream>
 #include <thread>
 
+#include "AssociationSection.h"
 #include "ResultSummary.h"
 
 namespace toss {
 namespace {
-
-std::string number(double value, int decimals, bool sign = false) {
-  if (!std::isfinite(value)) return "-";
-  char text[48];
-  std::snprintf(text, sizeof(text), sign ? "%+.*f" : "%.*f", decimals, value);
-  return text;
-}
 
 std::string processorName() {
   std::ifstream info("/proc/cpuinfo");
@@ -59,8 +51,8 @@ void writeOverview(std::ostream& out, const std::vector<CaseResult>& results,
       const char* mark = v->kind == VariantKind::Default ? "**" : "";
       if (s.seeds == 0) out << " - |";
       if (s.seeds > 0)
-        out << " " << number(s.preservation, 2) << " / " << number(s.rejection, 2) << " / " << mark
-            << number(s.f1, 3) << mark << " |";
+        out << " " << numberText(s.preservation, 2) << " / " << numberText(s.rejection, 2) << " / "
+            << mark << numberText(s.f1, 3) << mark << " |";
     }
     out << "\n";
   }
@@ -70,27 +62,21 @@ void writeOverview(std::ostream& out, const std::vector<CaseResult>& results,
 
 void writeAblation(std::ostream& out, const std::vector<CaseResult>& results,
                    const std::vector<Variant>& variants) {
-  out << "\n## What each part is worth\n\nMean over the scenes of a variant minus the default. "
+  out << "\n## What each part is worth\n\nMean of a variant minus the default over the scenes it "
+         "ran on. "
          "IoU: "
          "of moving points, final labels.\n\n| variant | PR | RR | F1 | IoU | ms per scan | F1 "
          "changes most in | what it is |\n|---|---|---|---|---|---|---|---|\n";
   for (const Variant& v : variants) {
     if (v.kind != VariantKind::Ablation) continue;
     const Difference d = differenceToDefault(results, v.name);
-    out << "| " << v.name << " | " << number(d.preservation, 2, true) << " | "
-        << number(d.rejection, 2, true) << " | " << number(d.f1, 4, true) << " | "
-        << number(d.iou, 2, true) << " | " << number(d.milliseconds, 1, true) << " | "
-        << d.mostChanged << " (" << number(d.mostChange, 3, true) << ") | " << v.description
+    out << "| " << v.name << " | " << numberText(d.preservation, 2, true) << " | "
+        << numberText(d.rejection, 2, true) << " | " << numberText(d.f1, 4, true) << " | "
+        << numberText(d.iou, 2, true) << " | " << numberText(d.milliseconds, 1, true) << " | "
+        << d.mostChanged << " (" << numberText(d.mostChange, 3, true) << ") | " << v.description
         << " |\n";
   }
   out << "\n![Change of F1 by variant](results_ablation.png)\n";
-}
-
-/// The default's result on seed 1 of a scene.
-const CaseResult* defaultResult(const std::vector<CaseResult>& results, const std::string& scene) {
-  for (const CaseResult& r : results)
-    if (r.scene == scene && r.variant == kDefaultName && r.seed == 1) return &r;
-  return nullptr;
 }
 
 /// A table with a row per scene for the default. `cells`: the row's values, after the scene.
@@ -102,7 +88,7 @@ void writeDefaultTable(std::ostream& out, const std::vector<CaseResult>& results
   for (const std::string& column : columns) out << " " << column << " |", rule += "---|";
   out << rule << "\n";
   for (const std::string& scene : scenesWorstFirst(results)) {
-    const CaseResult* result = defaultResult(results, scene);
+    const CaseResult* result = firstResult(results, scene, kDefaultName);
     if (result == nullptr) continue;
     out << "| " << scene << " |";
     for (const std::string& cell : cells(result->scores)) out << " " << cell << " |";
@@ -114,7 +100,7 @@ template <typename Counts>
 void addShares(const Counts& counts, std::vector<std::string>& cells) {
   for (const VoxelCounts& c : counts)
     cells.push_back(
-        number(100.0 * static_cast<double>(c.right) / static_cast<double>(c.voxels), 2));
+        numberText(100.0 * static_cast<double>(c.right) / static_cast<double>(c.voxels), 2));
 }
 
 void writeResidue(std::ostream& out, const std::vector<CaseResult>& results) {
@@ -127,7 +113,7 @@ void writeResidue(std::ostream& out, const std::vector<CaseResult>& results) {
     const auto all = static_cast<double>(scores.map.movingVoxels);
     std::vector<std::string> cells = {std::to_string(scores.map.movingVoxels)};
     for (const std::uint64_t voxels : scores.losses.residueByCause)
-      cells.push_back(number(100.0 * static_cast<double>(voxels) / all, 2));
+      cells.push_back(numberText(100.0 * static_cast<double>(voxels) / all, 2));
     return cells;
   });
 }
@@ -152,11 +138,11 @@ void writeBands(std::ostream& out, const std::vector<CaseResult>& results) {
 void writeStages(std::ostream& out, const std::vector<CaseResult>& results) {
   out << "\n## Where the time goes\n\nMedian per scan of the default by stage [ms] (seed 1).\n";
   std::vector<std::string> columns;
-  const CaseResult* any = defaultResult(results, results.front().scene);
+  const CaseResult* any = firstResult(results, results.front().scene, kDefaultName);
   for (const auto& [stage, time] : any->scores.stageMedians) columns.push_back(stage);
   writeDefaultTable(out, results, columns, [](const RunScores& scores) {
     std::vector<std::string> cells;
-    for (const auto& [stage, time] : scores.stageMedians) cells.push_back(number(time, 2));
+    for (const auto& [stage, time] : scores.stageMedians) cells.push_back(numberText(time, 2));
     return cells;
   });
 }
@@ -173,17 +159,19 @@ void writeCases(std::ostream& out, const std::vector<CaseResult>& results,
       const SceneScore s = sceneScore(results, scene, v.name);
       if (s.seeds == 0) continue;
       out << "| " << scene << " | " << s.scans << " | " << v.name << " | "
-          << number(s.preservation, 2) << " | " << number(s.rejection, 2) << " | "
-          << number(s.f1, 3) << " | " << number(s.iou, 2) << " | " << number(s.liveIou, 2) << " | "
-          << number(s.instanceBound, 2) << " | " << number(s.traceBound, 2) << " | "
-          << number(s.median, 1) << " | " << number(s.percentile95, 1) << " |\n";
+          << numberText(s.preservation, 2) << " | " << numberText(s.rejection, 2) << " | "
+          << numberText(s.f1, 3) << " | " << numberText(s.iou, 2) << " | "
+          << numberText(s.liveIou, 2) << " | " << numberText(s.instanceBound, 2) << " | "
+          << numberText(s.traceBound, 2) << " | " << numberText(s.median, 1) << " | "
+          << numberText(s.percentile95, 1) << " |\n";
     }
 }
 
 }  // namespace
 
 void writeResults(const ScoreboardRequest& request, const std::vector<CaseResult>& results,
-                  const std::vector<Variant>& variants, const std::vector<std::string>& pictures) {
+                  const std::vector<Variant>& variants, const AssociationStudy& association,
+                  const std::vector<std::string>& pictures) {
   std::ostringstream out;
   writeHead(out, request);
   writeOverview(out, results, variants);
@@ -191,6 +179,7 @@ void writeResults(const ScoreboardRequest& request, const std::vector<CaseResult
   writeResidue(out, results);
   writeBands(out, results);
   writeStages(out, results);
+  writeAssociation(out, association, results);
   if (!pictures.empty())
     out << "\n## Pictures\n\nIn pictures of errors, moving points that were removed are green, "
            "moving "

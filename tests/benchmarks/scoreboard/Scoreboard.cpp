@@ -28,7 +28,9 @@ LabelledLog simulate(const std::string& scene, std::uint64_t seed, int frames) {
   return log;
 }
 
-bool runsOn(const Variant& variant, std::uint64_t seed) {
+bool runsOn(const Variant& variant, const std::string& scene, std::uint64_t seed) {
+  const auto& only = variant.scenes;
+  if (!only.empty() && std::find(only.begin(), only.end(), scene) == only.end()) return false;
   const bool slow = variant.name.rfind("OctoMap", 0) == 0;
   return seed == 1 || (variant.kind != VariantKind::Ablation && !slow);
 }
@@ -41,7 +43,7 @@ class LogRunner {
 
   std::vector<CaseResult> run(const std::vector<Variant>& variants, int jobs) {
     for (const Variant& variant : variants)
-      if (runsOn(variant, seed_)) pending_.push_back(&variant);
+      if (runsOn(variant, log_.name, seed_)) pending_.push_back(&variant);
     results_.resize(pending_.size());
     std::vector<std::thread> workers;
     for (int j = 0; j < jobs; ++j) workers.emplace_back([this] { work(); });

@@ -22,12 +22,15 @@ struct Variant {
   std::string name, description;
   VariantKind kind;
   std::function<MethodRun(const LabelledLog&)> run;
+  /// The only scenes to run on; empty = all.
+  std::vector<std::string> scenes = {};
 };
 
-/// Names of the variants that pictures are made of.
+/// Names of the variants that pictures and sections are made of.
 constexpr const char* kDefaultName = "default";
 constexpr const char* kPaperName = "paper.ini";
 constexpr const char* kAutoMosName = "automos.ini";
+constexpr const char* kExhaustiveName = "exhaustive";
 constexpr const char* kNoVotingName = "no DS-Voting";
 
 /// Options of TOSS on a log of that sensor: defaults, the sensor's preset, `file` ("" = none) of

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "AssociationPlot.h"
 #include "Pictures.h"
 #include "Plots.h"
 #include "ResultsDocument.h"
@@ -32,6 +33,7 @@ void run(ScoreboardRequest& request) {
   if (request.quick) request.seeds = 1;
   std::filesystem::create_directories(request.output);
   const std::vector<Variant> variants = allVariants(request.quick);
+  const AssociationStudy association = studyAssociation();
   PictureMaker pictures(request.output);
   const std::vector<CaseResult> results =
       runScoreboard(request, variants,
@@ -41,7 +43,8 @@ void run(ScoreboardRequest& request) {
     throw UserError("scoreboard", "there is no log to run on", "name a scene, or give --real");
   const std::vector<std::string> drawn = pictures.finish();
   drawPlots(results, variants, request.output);
-  writeResults(request, results, variants, drawn);
+  drawAssociation(association, request.output / "association.png");
+  writeResults(request, results, variants, association, drawn);
   std::cout << (request.output / "results.md").string() << "\n";
 }
 
