@@ -4,7 +4,6 @@
 #include <toss/rawlog/KittiFolderWriter.h>
 #include <toss/rawlog/LabelFile.h>
 
-#include <cstdio>
 #include <fstream>
 #include <stdexcept>
 #include <string>
@@ -21,20 +20,6 @@ void checkFree(const std::filesystem::path& folder) {
   if (std::filesystem::exists(folder, error) && !std::filesystem::is_empty(folder, error))
     throw UserError(folder.string(), "exists already and is not empty",
                     "remove it or choose another name");
-}
-
-/// 17 digits: reading gives the same double.
-std::string toText(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
-}
-
-std::string toRow(const Eigen::Isometry3d& pose) {
-  std::string row;
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 4; ++c) row += (row.empty() ? "" : " ") + toText(pose(r, c));
-  return row + "\n";
 }
 
 void writeText(const std::filesystem::path& file, const std::string& text) {
@@ -71,8 +56,9 @@ void KittiFolderWriter::write(const PosedScan& scan) {
   std::snprintf(name, sizeof name, "%06llu.bin",
                 static_cast<unsigned long long>(implementation_->scans));
   writeKittiPoints(implementation_->folder.temporaryPath() / "velodyne" / name, scan.points);
-  implementation_->poses += toRow(cameraPose(scan.mapFromSensor, implementation_->cameraFromLidar));
-  implementation_->times += toText(scan.time) + "\n";
+  implementation_->poses +=
+      kittiRow(cameraPose(scan.mapFromSensor, implementation_->cameraFromLidar));
+  implementation_->times += kittiNumber(scan.time) + "\n";
   ++implementation_->scans;
 }
 
@@ -92,7 +78,7 @@ std::uint64_t KittiFolderWriter::scanCount() const {
 void KittiFolderWriter::commit() {
   const std::filesystem::path& folder = implementation_->folder.temporaryPath();
   writeText(folder / "poses.txt", implementation_->poses);
-  writeText(folder / "calib.txt", "Tr: " + toRow(implementation_->cameraFromLidar));
+  writeText(folder / "calib.txt", "Tr: " + kittiRow(implementation_->cameraFromLidar));
   writeText(folder / "times.txt", implementation_->times);
   implementation_->folder.commit();
 }

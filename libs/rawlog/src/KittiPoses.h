@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace toss {
@@ -17,6 +18,15 @@ Eigen::Isometry3d lidarPose(const Eigen::Isometry3d& cameraPose,
 /// The reverse: P = Tr * M * Tr^-1.
 Eigen::Isometry3d cameraPose(const Eigen::Isometry3d& lidarPose,
                              const Eigen::Isometry3d& cameraFromLidar);
+
+/// The pose of a row of 12 numbers, the upper 3x4; none where the text is no such row or no rigid
+/// motion.
+std::optional<Eigen::Isometry3d> parseKittiPose(const std::string& text);
+
+/// The reverse: a row with its line end, and one number, written so that reading them gives the
+/// same bits.
+std::string kittiRow(const Eigen::Isometry3d& pose);
+std::string kittiNumber(double value);
 
 /// Rows of 12 numbers, the upper 3x4 of each pose, shape [scans]. Throws UserError naming the line
 /// that is no such row or no rigid motion.
