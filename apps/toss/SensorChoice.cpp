@@ -82,6 +82,7 @@ SensorChoice chooseSensor(const MapRequest& request, const RunConfiguration& con
                       "look at it with toss info");
   } while (scan.points.empty());
   const std::string recognized = recognizeSensor(scan);
+  if (scan.beams) return {*scan.beams, recognized, "auto"};
   if (!recognized.empty()) return {sensorByName(recognized), recognized, recognized};
   return {measuredSensor(scan), "", "auto"};
 }

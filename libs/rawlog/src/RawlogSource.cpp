@@ -44,7 +44,7 @@ std::string listOf(const std::map<std::string, std::uint64_t>& counts) {
 }  // namespace
 
 RawlogSource::RawlogSource(const std::filesystem::path& file, const InputOptions& options)
-    : options_(options), reader_(file), poses_(options) {
+    : options_(options), reader_(file), sweeps_(file), poses_(options) {
   if (!options.sensorLabel.empty()) sensorLabel_ = options.sensorLabel;
 }
 
@@ -142,6 +142,9 @@ void RawlogSource::deliver(const Waiting& from, const Eigen::Isometry3d& mapFrom
   from.observation->getSensorPose(sensorPose);
   scan.index = from.index;
   scan.time = fromMrptTime(from.observation->timestamp);
+  scan.beams = nullptr;
+  scan.motionCompensated = false;
+  if (!sweeps_.addTo(scan, from.observation->sensorLabel)) ++withoutSweep_;
   scan.robotFromSensor = fromMrpt(sensorPose);
   if (!isRigid(scan.robotFromSensor))
     throw UserError(from.place, "its sensor pose is no rigid motion", "repair the log");
@@ -200,6 +203,10 @@ const InputReport& RawlogSource::report() const {
          std::to_string(options_.maxPoseGap) + " s before and after them (input.max_pose_gap)");
   if (withoutTime_ > 0)
     warn(std::to_string(withoutTime_) + " scans were skipped, they have no time stamp");
+  if (withoutSweep_ > 0)
+    warn(std::to_string(withoutSweep_) +
+         " scans have no rings and times, although the log has a folder of them; copy the folder "
+         "<stem>_sweeps again");
   if (report_.skippedForTime > 0)
     warn(std::to_string(report_.skippedForTime) +
          " scans were skipped, they are not later than the one before, first at " +

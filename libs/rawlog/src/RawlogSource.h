@@ -3,6 +3,7 @@
 
 #include <mrpt/obs/CObservation.h>
 #include <toss/rawlog/ScanSource.h>
+#include <toss/rawlog/SweepFolder.h>
 
 #include <deque>
 #include <map>
@@ -47,6 +48,7 @@ class RawlogSource : public ScanSource {
 
   InputOptions options_;
   RawlogReader reader_;
+  SweepFolder sweeps_;
   RawlogPoses poses_;
   std::deque<Waiting> waiting_;
   bool ended_ = false;
@@ -58,7 +60,7 @@ class RawlogSource : public ScanSource {
   std::optional<PoseBuffer::Ticks> lastTime_, firstScanTime_;
   /// Observations by class or label that were left out.
   std::map<std::string, std::uint64_t> otherSensors_, otherRangeScans_;
-  std::uint64_t withoutTime_ = 0;
+  std::uint64_t withoutTime_ = 0, withoutSweep_ = 0;
   std::string firstSkippedForTime_;
   SensorMemory sensor_;
   mutable InputReport report_;

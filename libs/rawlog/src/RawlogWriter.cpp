@@ -10,6 +10,7 @@
 #include <toss/rawlog/MrptConversion.h>
 #include <toss/rawlog/RawlogWriter.h>
 #include <toss/rawlog/ScanSource.h>
+#include <toss/rawlog/SweepFolder.h>
 
 #include <stdexcept>
 #include <system_error>
@@ -43,19 +44,30 @@ struct RawlogWriter::Implementation {
         out(file.temporaryPath(), path.string(),
             gz ? OutputStream::Format::Gz : OutputStream::Format::Plain) {}
 
-  /// Labels of another log beside this one would be taken for its own.
-  void checkNoForeignLabels() const {
-    const std::filesystem::path folder = labelsFolderBeside(finalPath);
-    std::error_code ignored;
-    if (scans == 0 && !labels && std::filesystem::exists(folder, ignored))
-      throw UserError(folder.string(), "holds labels of an earlier log of this name",
-                      "remove the folder or choose another name for the rawlog");
+  /// Folders of another log beside this one would be taken for its own.
+  void checkNoForeignFolders() const {
+    const auto check = [](const std::filesystem::path& folder, const char* what) {
+      std::error_code ignored;
+      if (std::filesystem::exists(folder, ignored))
+        throw UserError(folder.string(),
+                        "holds " + std::string(what) + " of an earlier log of this name",
+                        "remove the folder or choose another name for the rawlog");
+    };
+    if (scans == 0 && !labels) check(labelsFolderBeside(finalPath), "labels");
+    if (scans == 0 && !sweeps) check(sweepsFolderBeside(finalPath), "rings and times");
+  }
+
+  void writeSweep(const PosedScan& scan, const std::string& label) {
+    if (!hasSweep(scan)) return;
+    if (!sweeps) sweeps = std::make_unique<SweepFolderWriter>(finalPath);
+    sweeps->write(scan, label);
   }
 
   std::filesystem::path finalPath;
   AtomicFile file;
   OutputStream out;
   std::unique_ptr<AtomicFolder> labels;
+  std::unique_ptr<SweepFolderWriter> sweeps;
   std::uint64_t scans = 0;
 };
 
@@ -69,7 +81,9 @@ void RawlogWriter::write(const mrpt::serialization::CSerializable& object) {
 }
 
 void RawlogWriter::write(const PosedScan& scan) {
-  implementation_->checkNoForeignLabels();
+  const std::string label = scan.sensorLabel.empty() ? kLidarLabel : scan.sensorLabel;
+  implementation_->writeSweep(scan, label);
+  implementation_->checkNoForeignFolders();
   mrpt::obs::CObservationRobotPose pose;
   pose.sensorLabel = kPoseLabel;
   pose.timestamp = toMrptTime(scan.time);
@@ -77,7 +91,7 @@ void RawlogWriter::write(const PosedScan& scan) {
   write(pose);
 
   mrpt::obs::CObservationPointCloud cloud;
-  cloud.sensorLabel = scan.sensorLabel.empty() ? kLidarLabel : scan.sensorLabel;
+  cloud.sensorLabel = label;
   cloud.timestamp = pose.timestamp;
   cloud.sensorPose = toMrpt(scan.robotFromSensor);
   cloud.pointcloud = toPointsMap(scan.points);
@@ -102,6 +116,7 @@ std::uint64_t RawlogWriter::scanCount() const {
 void RawlogWriter::commit() {
   implementation_->out.close();
   if (implementation_->labels) implementation_->labels->commit();
+  if (implementation_->sweeps) implementation_->sweeps->commit();
   implementation_->file.commit();
 }
 

@@ -5,6 +5,7 @@
 
 #include "KittiFolderSource.h"
 #include "RawlogSource.h"
+#include "RawlogStem.h"
 
 namespace toss {
 
@@ -18,10 +19,7 @@ std::unique_ptr<ScanSource> openScans(const std::filesystem::path& input,
 }
 
 std::filesystem::path labelsFolderBeside(const std::filesystem::path& rawlog) {
-  std::filesystem::path stem = rawlog.stem();
-  if (rawlog.extension() == ".gz") stem = stem.stem();
-  stem += "_labels";
-  return rawlog.parent_path() / stem;
+  return besideRawlog(rawlog, "_labels");
 }
 
 std::filesystem::path labelsFolderOf(const std::filesystem::path& input) {

@@ -125,6 +125,12 @@ std::string modelByBeams(const PointCloud& points) {
   return best;
 }
 
+bool isKnown(const std::string& model) {
+  const std::vector<SensorModel>& known = knownSensors();
+  return std::any_of(known.begin(), known.end(),
+                     [&](const SensorModel& sensor) { return sensor.name == model; });
+}
+
 }  // namespace
 
 BeamAgreement beamAgreement(const PointCloud& points, const SensorModel& sensor) {
@@ -134,6 +140,7 @@ BeamAgreement beamAgreement(const PointCloud& points, const SensorModel& sensor)
 
 std::string recognizeSensor(const PosedScan& scan) {
   if (!scan.sensorModel.empty()) return scan.sensorModel;
+  if (scan.beams) return isKnown(scan.beams->name) ? scan.beams->name : "";
   const std::string labelled = modelInLabel(scan.sensorLabel);
   return labelled.empty() ? modelByBeams(scan.points) : labelled;
 }

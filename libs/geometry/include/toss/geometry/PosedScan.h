@@ -2,9 +2,11 @@
 #pragma once
 
 #include <toss/geometry/PointCloud.h>
+#include <toss/geometry/SensorModel.h>
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <memory>
 #include <string>
 
 namespace toss {
@@ -28,6 +30,12 @@ struct PosedScan {
   /// Name of a sensor model of config/sensors ("HDL-64E", "VLP-16"), "" where the input does not
   /// tell which sensor it was.
   std::string sensorModel;
+  /// Beams of the sensor as the input describes them (a calibration, a sensor's metadata); null
+  /// where it does not.
+  std::shared_ptr<const SensorModel> beams;
+  /// Whether all returns are where they were seen from the pose at `time` (de-skewed), although
+  /// points.time tells that they were measured at other times.
+  bool motionCompensated = false;
 };
 
 }  // namespace toss

@@ -14,8 +14,9 @@ class CSerializable;
 
 namespace toss {
 
-/// Writes a rawlog in observation format with stock MRPT classes only. The file, and the folder
-/// <stem>_labels beside it, appear under their names only when all is written: call commit().
+/// Writes a rawlog in observation format with stock MRPT classes only. The file, and the folders
+/// <stem>_labels and <stem>_sweeps beside it, appear under their names only when all is written:
+/// call commit().
 /// Files of the same name are replaced.
 class RawlogWriter {
  public:
@@ -28,9 +29,11 @@ class RawlogWriter {
   /// Writes CObservationRobotPose (map <- robot) and CObservationPointCloud (CPointsMapXYZI, sensor
   /// frame, all points in their order and with their bits; intensity 0 where there is none), both
   /// with the scan's time stamp rounded to MRPT's 100 ns. Reading gives the same pose bit for bit
-  /// where robotFromSensor is the identity. `index`, `ring`, `time` and `sensorModel` are not kept.
-  /// Throws UserError if writing fails, or if the first scan comes without labels while a folder
-  /// <stem>_labels of another log is there.
+  /// where robotFromSensor is the identity. Rings and times of the returns, `beams` and
+  /// `motionCompensated`, where the scan has them, go to <stem>_sweeps (SweepFolder.h); `index` and
+  /// `sensorModel` are not kept. Throws UserError if writing fails, or if the first scan comes
+  /// without labels (rings, times, beams) while a folder <stem>_labels (<stem>_sweeps) of another
+  /// log is there.
   void write(const PosedScan& scan);
   /// The same, and the scan's labels to <stem>_labels/%06d.label, numbered by the order of writing.
   /// `labels`: shape [points].

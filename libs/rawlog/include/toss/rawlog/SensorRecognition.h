@@ -8,8 +8,9 @@
 
 namespace toss {
 
-/// Name of the sensor model, one of knownSensors(), that made the scan: as the input tells it, else
-/// by the sensor's label ("hdl64", "OS1-64"), else by the elevations of the returns. "" if unknown.
+/// Name of the sensor model, one of knownSensors(), that made the scan: as the input tells it (its
+/// beams included), else by the sensor's label ("hdl64", "OS1-64"), else by the elevations of the
+/// returns. "" if unknown.
 std::string recognizeSensor(const PosedScan& scan);
 
 /// How well the returns of a scan agree with the beams of a model, shares from 0 to 1.
