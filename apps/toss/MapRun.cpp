@@ -18,7 +18,7 @@
 #include "MapSummary.h"
 #include "Progress.h"
 #include "ScanRange.h"
-#include "SensorChoice.h"
+#include "SensorOfInput.h"
 
 namespace toss {
 namespace {
@@ -130,7 +130,7 @@ void runMap(const MapRequest& request, const Verbosity& verbosity) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
   RunConfiguration configuration = configure(request.configuration, "");
-  const SensorChoice sensor = chooseSensor(request, configuration);
+  const SensorChoice sensor = sensorOfInput(request.input, configuration, request.from, request.to);
   configuration = configure(request.configuration, sensor.preset);
   configuration.sensor.model = sensor.name;
   MapRunner runner(request, configuration, sensor.model, verbosity.quiet);

@@ -2,16 +2,9 @@
 #include "RunConfiguration.h"
 
 #include <toss/geometry/OptionSections.h>
-
-#include "SensorPresets.h"
+#include <toss/rawlog/SensorPresets.h>
 
 namespace toss {
-
-void SensorOptions::visit(OptionVisitor& v) {
-  v.string(
-      {"model", "", "Model of the sensor, such as HDL-64E, or auto to find out", "config/sensors"},
-      model);
-}
 
 std::vector<Options*> RunConfiguration::sections() {
   std::vector<Options*> all = {&input, &sensor};

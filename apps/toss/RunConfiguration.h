@@ -3,21 +3,13 @@
 
 #include <toss/pipeline/PipelineOptions.h>
 #include <toss/rawlog/InputOptions.h>
+#include <toss/rawlog/SensorChoice.h>
 #include <toss/render/RenderOptions.h>
 
 #include <string>
 #include <vector>
 
 namespace toss {
-
-/// Which sensor the scans come from, section [sensor].
-struct SensorOptions : Options {
-  /// Name of a known model, or "auto": found out from the input.
-  std::string model = "auto";
-
-  const char* section() const override { return "sensor"; }
-  void visit(OptionVisitor& visitor) override;
-};
 
 /// Everything that a run can be told.
 struct RunConfiguration {

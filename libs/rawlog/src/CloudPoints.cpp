@@ -5,12 +5,12 @@
 #include <mrpt/obs/CObservationPointCloud.h>
 #include <mrpt/serialization/CArchive.h>
 #include <toss/geometry/Error.h>
+#include <toss/rawlog/ObservationPoints.h>
 
 #include <algorithm>
 
 #include "InputStream.h"
 #include "KittiPoints.h"
-#include "ObservationPoints.h"
 
 namespace toss {
 namespace {

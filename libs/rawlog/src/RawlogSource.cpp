@@ -8,11 +8,10 @@
 #include <mrpt/obs/CSensoryFrame.h>
 #include <toss/geometry/Error.h>
 #include <toss/rawlog/MrptConversion.h>
+#include <toss/rawlog/ObservationPoints.h>
 
 #include <algorithm>
 #include <cstdio>
-
-#include "ObservationPoints.h"
 
 namespace toss {
 namespace {
@@ -138,20 +137,11 @@ void RawlogSource::takeScan(const CObservation::Ptr& observation) {
 void RawlogSource::deliver(const Waiting& from, const Eigen::Isometry3d& mapFromRobot,
                            PosedScan& scan) {
   readPoints(*from.observation, reader_.file(), from.place, scan);
-  mrpt::poses::CPose3D sensorPose;
-  from.observation->getSensorPose(sensorPose);
+  placeScan(*from.observation, mapFromRobot, from.place, scan);
   scan.index = from.index;
-  scan.time = fromMrptTime(from.observation->timestamp);
   scan.beams = nullptr;
   scan.motionCompensated = false;
   if (!sweeps_.addTo(scan, from.observation->sensorLabel)) ++withoutSweep_;
-  scan.robotFromSensor = fromMrpt(sensorPose);
-  if (!isRigid(scan.robotFromSensor))
-    throw UserError(from.place, "its sensor pose is no rigid motion", "repair the log");
-  // Without a sensor pose nothing is multiplied, so that the bits stay.
-  const bool atOrigin = scan.robotFromSensor.matrix() == Eigen::Matrix4d::Identity();
-  scan.mapFromSensor = atOrigin ? mapFromRobot : mapFromRobot * scan.robotFromSensor;
-  scan.sensorLabel = from.observation->sensorLabel;
   scan.sensorModel = sensor_.modelOf(scan);
   countScan(scan.points, report_);
 }

@@ -3,13 +3,13 @@
 #include <mrpt/obs/CSensoryFrame.h>
 #include <toss/geometry/Error.h>
 #include <toss/rawlog/MrptConversion.h>
+#include <toss/rawlog/ObservationPoints.h>
 #include <toss/rawlog/SensorRecognition.h>
 
 #include <algorithm>
 #include <map>
 #include <utility>
 
-#include "ObservationPoints.h"
 #include "RawlogPoses.h"
 #include "RawlogReader.h"
 #include "SummaryParts.h"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points of a CObservationVelodyneScan, decoded from its packets by MRPT.
 #include <mrpt/obs/CObservationVelodyneScan.h>
+#include <toss/rawlog/ObservationPoints.h>
 
 #include <algorithm>
 #include <numeric>
-
-#include "ObservationPoints.h"
 
 namespace toss {
 namespace {

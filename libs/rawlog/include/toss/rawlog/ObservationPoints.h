@@ -20,7 +20,12 @@ bool holdsPoints(const mrpt::obs::CObservation& observation);
 void readPoints(mrpt::obs::CObservation& observation, const std::filesystem::path& rawlog,
                 const std::string& place, PosedScan& scan);
 
-/// The same for one kind of observation each.
+/// Sets time, poses and label of a scan from its observation; `mapFromRobot`: pose of the robot at
+/// that time. Throws UserError naming `place` if the observation's sensor pose is no rigid motion.
+void placeScan(const mrpt::obs::CObservation& observation, const Eigen::Isometry3d& mapFromRobot,
+               const std::string& place, PosedScan& scan);
+
+/// The same as readPoints for one kind of observation each.
 void readVelodynePoints(mrpt::obs::CObservation& observation, PosedScan& scan);
 void readCloudPoints(mrpt::obs::CObservation& observation, const std::filesystem::path& rawlog,
                      const std::string& place, PosedScan& scan);

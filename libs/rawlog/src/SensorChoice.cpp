@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SensorChoice.h"
-
+#include <toss/rawlog/SensorChoice.h>
 #include <toss/rawlog/SensorRecognition.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include "ScanRange.h"
 
 namespace toss {
 namespace {
@@ -71,16 +68,13 @@ SensorModel measuredSensor(const PosedScan& scan) {
 
 }  // namespace
 
-SensorChoice chooseSensor(const MapRequest& request, const RunConfiguration& configuration) {
-  if (const std::string& wanted = configuration.sensor.model; wanted != "auto")
-    return {sensorByName(wanted), wanted, wanted};
-  ScanRange scans(request.input, configuration.input, request.from, request.to);
-  PosedScan scan;
-  do {
-    if (!scans.next(scan))
-      throw UserError(request.input.string(), "no scan in the chosen range has returns and a pose",
-                      "look at it with toss info");
-  } while (scan.points.empty());
+void SensorOptions::visit(OptionVisitor& v) {
+  v.string(
+      {"model", "", "Model of the sensor, such as HDL-64E, or auto to find out", "config/sensors"},
+      model);
+}
+
+SensorChoice chooseSensor(const PosedScan& scan) {
   const std::string recognized = recognizeSensor(scan);
   if (scan.beams) return {*scan.beams, recognized, "auto"};
   if (!recognized.empty()) return {sensorByName(recognized), recognized, recognized};
