@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
+#include <toss/visibility/CellThinning.h>
 #include <toss/visibility/FreeSpaceWitness.h>
 
+#include <array>
 #include <functional>
+#include <map>
+#include <random>
 
 #include "AnalyticScene.h"
 
@@ -19,6 +23,31 @@ PointCloud inSensorFrame(const LevelPoints& points) {
   PointCloud cloud;
   cloud.x = points.x, cloud.y = points.y, cloud.z = points.z;
   return cloud;
+}
+
+/// Fills members and memberBegin from the instances 1 and 2 of the points.
+void groupMembers(Segmentation& segmentation) {
+  const auto member = [&] { return static_cast<std::int32_t>(segmentation.members.size()); };
+  for (const std::int32_t k : {1, 2}) {
+    segmentation.memberBegin.push_back(member());
+    for (std::size_t p = 0; p < segmentation.instance.size(); ++p)
+      if (segmentation.instance[p] == k)
+        segmentation.members.push_back(static_cast<std::int32_t>(p));
+  }
+  segmentation.memberBegin.push_back(member());
+}
+
+/// Instance 1 is what `isObject` says [map frame], instance 2 all the rest.
+Segmentation splitBy(const std::function<bool(const Vector3d&)>& isObject, const Vector3d& from,
+                     const LevelPoints& points) {
+  Segmentation result;
+  result.instanceCount = 2;
+  result.pointClass.assign(points.x.size(), PointClass::Instance);
+  for (std::size_t p = 0; p < points.x.size(); ++p)
+    result.instance.push_back(isObject(from + Vector3d(points.x[p], points.y[p], points.z[p])) ? 1
+                                                                                               : 2);
+  groupMembers(result);
+  return result;
 }
 
 /// Ten scans a second for `seconds` of what `scene(t)` shows; instance 1 is what `isObject` says.
@@ -38,14 +67,8 @@ std::vector<EvidenceCells> run(const std::function<AnalyticScene(double)>& scene
     const Vector3d from = position(t);
     LevelPoints points;
     const RangeImage image = scene(t).look(from, points);
-    Segmentation segmentation;
-    segmentation.instanceCount = 2;
-    segmentation.pointClass.assign(points.x.size(), PointClass::Instance);
-    for (std::size_t p = 0; p < points.x.size(); ++p)
-      segmentation.instance.push_back(
-          isObject(from + Vector3d(points.x[p], points.y[p], points.z[p])) ? 1 : 2);
     EvidenceCells cells;
-    thinning.thin(points, segmentation, cells);
+    thinning.thin(points, splitBy(isObject, from, points), cells);
     witness.add(t, image, inSensorFrame(points), Eigen::Isometry3d(Eigen::Translation3d(from)),
                 std::move(cells));
     if (past != nullptr)
@@ -159,11 +182,64 @@ TEST(FreeSpace, FarFromTheOriginNothingChanges) {
   LevelPoints points;
   image = boxBetween(0, -1, 9).look(Vector3d::Zero(), points);
   std::vector<std::uint8_t> free(points.x.size(), 0), hits(points.x.size(), 0);
-  const RangeView view(image, inSensorFrame(points), Eigen::Isometry3d(Eigen::Translation3d(far)),
-                       options);
+  RangeView view(options);
+  RangeView::Scratch scratch;
+  view.look(image, inSensorFrame(points), Eigen::Isometry3d(Eigen::Translation3d(far)), scratch);
   view.testify(points.x.data(), points.y.data(), points.z.data(), points.x.size(), far, free.data(),
                hits.data());
   for (std::size_t i = 0; i < hits.size(); ++i) EXPECT_EQ(1, hits[i]);
+}
+
+/// Points at random: a quarter each unclustered, of instance 1, of instance 2, and ground.
+Segmentation randomSegmentation(std::mt19937& random, LevelPoints& points, int count) {
+  std::uniform_real_distribution<float> place(-9.0f, 9.0f);
+  Segmentation result;
+  result.instanceCount = 2;
+  for (int p = 0; p < count; ++p) {
+    points.x.push_back(place(random)), points.y.push_back(place(random));
+    points.z.push_back(0.1f * place(random));
+    const int kind = static_cast<int>(random() % 4);
+    result.instance.push_back(kind < 3 ? kind : 0);
+    result.pointClass.push_back(kind == 0   ? PointClass::Unclustered
+                                : kind == 3 ? PointClass::Ground
+                                            : PointClass::Instance);
+  }
+  groupMembers(result);
+  return result;
+}
+
+TEST(CellThinning, KeepsTheFirstReturnOfEachCellAndASampleOfLargeInstances) {
+  std::mt19937 random(4);
+  LevelPoints points;
+  const Segmentation segmentation = randomSegmentation(random, points, 4000);
+  constexpr double kCellSize = 0.5;
+  constexpr std::size_t kMaxCells = 100;
+  // By the definition: a map from cell to first return, per group in order of their coming.
+  using Key = std::array<int, 3>;
+  std::array<std::map<Key, std::size_t>, 3> cellOf;
+  std::array<std::vector<std::size_t>, 3> first;
+  std::vector<std::size_t> loneCells;
+  const auto axis = [](float v) { return static_cast<int>(std::floor(v / kCellSize)); };
+  for (std::size_t p = 0; p < points.x.size(); ++p) {
+    if (segmentation.pointClass[p] == PointClass::Ground) continue;
+    const auto k = static_cast<std::size_t>(segmentation.instance[p]);
+    const Key key{axis(points.x[p]), axis(points.y[p]), axis(points.z[p])};
+    const auto [place, isNew] = cellOf[k].try_emplace(key, first[k].size());
+    if (isNew) first[k].push_back(p);
+    if (k == 0) loneCells.push_back(place->second);
+  }
+  std::vector<float> expected;
+  for (const std::size_t k : {0, 1, 2}) {
+    const std::size_t stride = k == 0 ? 1 : 1 + (first[k].size() - 1) / kMaxCells;
+    for (std::size_t c = 0; c < first[k].size(); c += stride)
+      expected.push_back(points.x[first[k][c]]);
+  }
+  EvidenceCells cells;
+  CellThinning(kCellSize, kMaxCells).thin(points, segmentation, cells);
+  EXPECT_EQ(expected, cells.x);
+  ASSERT_EQ(loneCells.size(), cells.loneCell.size());
+  for (std::size_t i = 0; i < loneCells.size(); ++i)
+    EXPECT_EQ(loneCells[i], static_cast<std::size_t>(cells.loneCell[i]));
 }
 
 }  // namespace

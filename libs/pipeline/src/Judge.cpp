@@ -30,11 +30,11 @@ std::vector<bool> Judge::final(const ScanRecord& record, bool last) const {
 }
 
 void Judge::findLoneMovers(const EvidenceCells& cells, ScanRecord& record) const {
-  for (std::size_t i = 0; i < cells.cellOfPoint.size(); ++i) {
-    if (cells.cellOfPoint[i] < 0 || record.pointClass[i] != PointClass::Unclustered) continue;
-    const auto cell = static_cast<std::size_t>(cells.cellOfPoint[i]);
+  for (std::size_t i = 0; i < cells.lonePoint.size(); ++i) {
+    const auto cell = static_cast<std::size_t>(cells.loneCell[i]);
     const int freeViews = cells.past.freeViews[cell] + cells.later.freeViews[cell];
-    record.loneMover[i] = !isHit(cells, cell) && freeViews >= options_.loneFreeViews;
+    if (!isHit(cells, cell) && freeViews >= options_.loneFreeViews)
+      record.loneMover[static_cast<std::size_t>(cells.lonePoint[i])] = true;
   }
 }
 

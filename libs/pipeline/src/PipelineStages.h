@@ -3,6 +3,7 @@
 
 #include <toss/pipeline/Pipeline.h>
 #include <toss/tracking/Tracker.h>
+#include <toss/visibility/CellThinning.h>
 #include <toss/visibility/FreeSpaceWitness.h>
 #include <toss/voting/DsVoting.h>
 

@@ -20,7 +20,8 @@ void testify(const RangeView& view, const Eigen::Vector3d& position, const Evide
 
 }  // namespace
 
-FreeSpaceWitness::FreeSpaceWitness(const VisibilityOptions& options) : options_(options) {
+FreeSpaceWitness::FreeSpaceWitness(const VisibilityOptions& options)
+    : options_(options), spareView_(options) {
   options_.check();
   offsets_ = options_.offsetSeconds();
 }
@@ -32,9 +33,10 @@ void FreeSpaceWitness::exchange(Scan& earlier, Scan& later) const {
 
 void FreeSpaceWitness::add(double time, const RangeImage& image, const PointCloud& points,
                            const Eigen::Isometry3d& mapFromSensor, EvidenceCells cells) {
-  scans_.push_back({time, mapFromSensor.translation(), std::move(cells),
-                    RangeView(image, points, mapFromSensor, options_)});
+  scans_.push_back({time, mapFromSensor.translation(), std::move(cells), RangeView(options_)});
   Scan& latest = scans_.back();
+  std::swap(latest.view, spareView_);
+  latest.view.look(image, points, mapFromSensor, scratch_);
   std::size_t candidate = scans_.size() - 1;
   // Offsets ascend, so each asks an older scan than the one before, and none is asked twice.
   for (const double offset : offsets_) {
@@ -59,6 +61,7 @@ std::vector<EvidenceCells> FreeSpaceWitness::takeComplete(bool all) {
   while (taken_ < scans_.size() && (all || isComplete(scans_[taken_])))
     result.push_back(std::move(scans_[taken_++].cells));
   while (taken_ > 0 && isComplete(scans_.front())) {
+    std::swap(scans_.front().view, spareView_);
     scans_.pop_front();
     --taken_;
   }

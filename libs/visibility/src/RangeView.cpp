@@ -12,101 +12,108 @@ namespace {
 
 constexpr float kPi = 3.14159265358979f;
 constexpr float kEmpty = std::numeric_limits<float>::infinity();
-/// Steps of elevation per radian in the row table: 0.02 degrees, far below any row spacing.
-constexpr float kStepsPerRadian = 2865.0f;
-constexpr int kElevationSteps = static_cast<int>(kPi * kStepsPerRadian) + 1;
+/// Steps from the horizon to the zenith: 0.014 degrees each near the horizon, far below any row
+/// spacing. The sine of elevation is z over range: no arc tangent is needed for the row.
+constexpr int kHalfSineSteps = 4096;
+constexpr std::size_t kSineSteps = 2 * kHalfSineSteps + 1;
+/// Points that are worked on together.
+constexpr std::size_t kBlock = 256;
 
-std::size_t elevationStep(float elevation) {
-  const float step = (elevation + 0.5f * kPi) * kStepsPerRadian;
-  return static_cast<std::size_t>(std::clamp(step, 0.0f, static_cast<float>(kElevationSteps - 1)));
+std::int32_t sineStep(float sine) {
+  return static_cast<std::int32_t>((sine + 1.0f) * static_cast<float>(kHalfSineSteps));
 }
+
+std::size_t sineStepOfElevation(float elevation) {
+  return static_cast<std::size_t>(
+      sineStep(std::sin(std::clamp(elevation, -0.5f * kPi, 0.5f * kPi))));
+}
+
+/// Where points lie in a view.
+struct Block {
+  std::array<float, kBlock> range;
+  std::array<std::int32_t, kBlock> sine, column;
+};
 
 }  // namespace
 
-RangeView::RangeView(const RangeImage& image, const PointCloud& points,
-                     const Eigen::Isometry3d& mapFromSensor, const VisibilityOptions& options)
-    : rows_(image.rows),
-      columns_(std::min(options.columns, image.columns)),
+RangeView::RangeView(const VisibilityOptions& options)
+    : mostColumns_(options.columns),
       freeMargin_(static_cast<float>(options.freeMargin)),
       freeMarginShare_(static_cast<float>(options.freeMarginShare)),
       hitMargin_(static_cast<float>(options.hitMargin)),
-      sensorFromMap_(mapFromSensor.inverse()) {
+      sensorFromMap_(Eigen::Isometry3d::Identity()) {}
+
+void RangeView::look(const RangeImage& image, const PointCloud& points,
+                     const Eigen::Isometry3d& mapFromSensor, Scratch& scratch) {
+  rows_ = image.rows;
+  columns_ = std::min(mostColumns_, image.columns);
+  sensorFromMap_ = mapFromSensor.inverse();
   fillRowTable(image.elevations);
-  fillRanges(image, points);
-  fillNearest();
-}
-
-void RangeView::fillRanges(const RangeImage& image, const PointCloud& points) {
-  const auto width = static_cast<std::size_t>(columns_);
-  ranges_.assign(static_cast<std::size_t>(rows_) * width, kEmpty);
-  constexpr std::size_t kBlock = 256;
-  std::array<float, kBlock> elevation;
-  for (std::size_t begin = 0; begin < points.size(); begin += kBlock) {
-    const std::size_t size = std::min(kBlock, points.size() - begin);
-    for (std::size_t i = 0; i < size; ++i) {
-      const float range = image.range[begin + i], z = points.z[begin + i];
-      elevation[i] = fastAtan2(z, std::sqrt(std::max(range * range - z * z, 0.0f)));
-    }
-    for (std::size_t i = 0; i < size; ++i) {
-      if (image.row[begin + i] == RangeImage::kNoRow) continue;
-      const int row = rowOfElevation_[elevationStep(elevation[i])];
-      if (row < 0) continue;
-      const int column = image.column[begin + i] * columns_ / image.columns;
-      float& pixel =
-          ranges_[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)];
-      pixel = std::min(pixel, image.range[begin + i]);
-    }
-  }
-}
-
-void RangeView::fillNearest() {
-  const auto width = static_cast<std::size_t>(columns_);
-  std::vector<float> alongRow(ranges_.size());
-  for (std::size_t begin = 0; begin < ranges_.size(); begin += width) {
-    const float* in = ranges_.data() + begin;
-    float* out = alongRow.data() + begin;
-    for (std::size_t c = 1; c + 1 < width; ++c)
-      out[c] = std::min(std::min(in[c - 1], in[c]), in[c + 1]);
-    out[0] = std::min(std::min(in[width - 1], in[0]), in[1]);
-    out[width - 1] = std::min(std::min(in[width - 2], in[width - 1]), in[0]);
-  }
-  nearest_.resize(ranges_.size());
-  for (int r = 0; r < rows_; ++r) {
-    const auto row = [&](int index) {
-      return alongRow.data() + static_cast<std::size_t>(std::clamp(index, 0, rows_ - 1)) * width;
-    };
-    const float *above = row(r - 1), *here = row(r), *below = row(r + 1);
-    float* out = nearest_.data() + static_cast<std::size_t>(r) * width;
-    for (std::size_t c = 0; c < width; ++c)
-      out[c] = std::min(std::min(above[c], here[c]), below[c]);
-  }
+  fillRanges(image, points, scratch);
+  fillPixels(scratch);
 }
 
 void RangeView::fillRowTable(const std::vector<float>& elevations) {
-  rowOfElevation_.assign(static_cast<std::size_t>(kElevationSteps), -1);
+  rowOfSine_.assign(kSineSteps, static_cast<std::int16_t>(rows_));
   for (int r = 0; r < rows_; ++r) {
     // A row reaches half-way to its neighbours, the outermost as far beyond as inwards.
     const auto at = [&](int index) { return elevations[static_cast<std::size_t>(index)]; };
     const float gapAbove = r > 0 ? at(r - 1) - at(r) : (rows_ > 1 ? at(0) - at(1) : 0.0f);
     const float gapBelow = r + 1 < rows_ ? at(r) - at(r + 1) : gapAbove;
-    const std::size_t low = elevationStep(at(r) - 0.5f * gapBelow);
-    const std::size_t high = elevationStep(at(r) + 0.5f * (r > 0 ? gapAbove : gapBelow));
+    const std::size_t low = sineStepOfElevation(at(r) - 0.5f * gapBelow);
+    const std::size_t high = sineStepOfElevation(at(r) + 0.5f * (r > 0 ? gapAbove : gapBelow));
     for (std::size_t step = low; step <= high; ++step)
-      rowOfElevation_[step] = static_cast<std::int16_t>(r);
+      rowOfSine_[step] = static_cast<std::int16_t>(r);
   }
 }
 
-void RangeView::judge(float range, int row, int column, std::uint8_t& freeViews,
-                      std::uint8_t& hitViews) const {
-  const auto pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                     static_cast<std::size_t>(column);
-  const float nearest = nearest_[pixel];
-  if (nearest == kEmpty) return;
-  const bool seenThrough = nearest > range + freeMargin_ + freeMarginShare_ * range;
-  const bool seen =
-      std::fabs(nearest - range) < hitMargin_ || std::fabs(ranges_[pixel] - range) < hitMargin_;
-  freeViews = static_cast<std::uint8_t>(freeViews + (seenThrough ? 1 : 0));
-  hitViews = static_cast<std::uint8_t>(hitViews + (seen ? 1 : 0));
+void RangeView::fillRanges(const RangeImage& image, const PointCloud& points,
+                           Scratch& scratch) const {
+  const auto width = static_cast<std::size_t>(columns_);
+  scratch.ranges.assign(static_cast<std::size_t>(rows_ + 1) * width, kEmpty);
+  scratch.columnOf.resize(static_cast<std::size_t>(image.columns));
+  for (int c = 0; c < image.columns; ++c)
+    scratch.columnOf[static_cast<std::size_t>(c)] =
+        static_cast<std::uint16_t>(c * columns_ / image.columns);
+  std::array<std::int32_t, kBlock> sine;
+  for (std::size_t begin = 0; begin < points.size(); begin += kBlock) {
+    const std::size_t size = std::min(kBlock, points.size() - begin);
+    for (std::size_t i = 0; i < size; ++i)
+      sine[i] = sineStep(points.z[begin + i] / image.range[begin + i]);
+    for (std::size_t i = 0; i < size; ++i) {
+      if (image.row[begin + i] == RangeImage::kNoRow) continue;
+      const auto row = static_cast<std::size_t>(rowOfSine_[static_cast<std::size_t>(sine[i])]);
+      float& range = scratch.ranges[row * width + scratch.columnOf[image.column[begin + i]]];
+      range = std::min(range, image.range[begin + i]);
+    }
+  }
+  std::fill(scratch.ranges.end() - columns_, scratch.ranges.end(), kEmpty);
+}
+
+void RangeView::fillPixels(Scratch& scratch) {
+  const auto width = static_cast<std::size_t>(columns_);
+  scratch.alongRow.resize(scratch.ranges.size());
+  for (std::size_t begin = 0; begin < scratch.ranges.size(); begin += width) {
+    const float* in = scratch.ranges.data() + begin;
+    float* out = scratch.alongRow.data() + begin;
+    for (std::size_t c = 1; c + 1 < width; ++c)
+      out[c] = std::min(std::min(in[c - 1], in[c]), in[c + 1]);
+    out[0] = std::min(std::min(in[width - 1], in[0]), in[1]);
+    out[width - 1] = std::min(std::min(in[width - 2], in[width - 1]), in[0]);
+  }
+  pixels_.resize(scratch.ranges.size());
+  std::fill(pixels_.end() - columns_, pixels_.end(), Pixel{kEmpty, kEmpty});
+  for (int r = 0; r < rows_; ++r) {
+    const auto row = [&](int index) {
+      return scratch.alongRow.data() +
+             static_cast<std::size_t>(std::clamp(index, 0, rows_ - 1)) * width;
+    };
+    const float *above = row(r - 1), *here = row(r), *below = row(r + 1);
+    const float* range = scratch.ranges.data() + static_cast<std::size_t>(r) * width;
+    Pixel* out = pixels_.data() + static_cast<std::size_t>(r) * width;
+    for (std::size_t c = 0; c < width; ++c)
+      out[c] = {range[c], std::min(std::min(above[c], here[c]), below[c])};
+  }
 }
 
 void RangeView::testify(const float* x, const float* y, const float* z, std::size_t count,
@@ -115,8 +122,8 @@ void RangeView::testify(const float* x, const float* y, const float* z, std::siz
   const Eigen::Matrix3f r = sensorFromMap_.linear().cast<float>();
   // Subtracted in double: both positions may be far from the map's origin.
   const Eigen::Vector3f t = (sensorFromMap_ * position).cast<float>();
-  constexpr std::size_t kBlock = 256;
-  std::array<float, kBlock> range, azimuth, elevation;
+  Block block;
+  std::array<Pixel, kBlock> seen;
   for (std::size_t begin = 0; begin < count; begin += kBlock) {
     const std::size_t size = std::min(kBlock, count - begin);
     for (std::size_t i = 0; i < size; ++i) {
@@ -124,17 +131,25 @@ void RangeView::testify(const float* x, const float* y, const float* z, std::siz
       const float qx = r(0, 0) * px + r(0, 1) * py + r(0, 2) * pz + t.x();
       const float qy = r(1, 0) * px + r(1, 1) * py + r(1, 2) * pz + t.y();
       const float qz = r(2, 0) * px + r(2, 1) * py + r(2, 2) * pz + t.z();
-      const float horizontal = std::sqrt(qx * qx + qy * qy);
-      range[i] = std::sqrt(horizontal * horizontal + qz * qz);
-      azimuth[i] = fastAtan2(qy, qx);
-      elevation[i] = fastAtan2(qz, horizontal);
+      const float range = std::sqrt(qx * qx + qy * qy + qz * qz);
+      const float turn = 0.5f * (1.0f - fastAtan2(qy, qx) / kPi);
+      const auto column = static_cast<std::int32_t>(turn * static_cast<float>(columns_));
+      block.range[i] = range;
+      block.sine[i] = sineStep(qz / std::max(range, 1e-6f));
+      block.column[i] = column < columns_ ? column : column - columns_;
     }
     for (std::size_t i = 0; i < size; ++i) {
-      const int row = rowOfElevation_[elevationStep(elevation[i])];
-      if (row < 0) continue;
-      const int column =
-          static_cast<int>(0.5f * (1.0f - azimuth[i] / kPi) * static_cast<float>(columns_));
-      judge(range[i], row, column % columns_, freeViews[begin + i], hitViews[begin + i]);
+      const std::int32_t row = rowOfSine_[static_cast<std::size_t>(block.sine[i])];
+      seen[i] = pixels_[static_cast<std::size_t>(row * columns_ + block.column[i])];
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+      const float range = block.range[i], nearest = seen[i].nearest;
+      const float past = range + freeMargin_ + freeMarginShare_ * range;
+      const bool free = nearest > past && nearest < kEmpty;
+      const bool hit =
+          std::fabs(nearest - range) < hitMargin_ || std::fabs(seen[i].range - range) < hitMargin_;
+      freeViews[begin + i] = static_cast<std::uint8_t>(freeViews[begin + i] + free);
+      hitViews[begin + i] = static_cast<std::uint8_t>(hitViews[begin + i] + hit);
     }
   }
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <toss/segmentation/Segmentation.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -25,7 +23,7 @@ struct Testimony {
 };
 
 /// The returns of one scan that stand above ground, thinned to one per cell and instance, with what
-/// the views of other scans say about each.
+/// the views of other scans say about each; instance by instance, the unclustered ones first.
 struct EvidenceCells {
   /// Level frame of the scan [m], shape [cells].
   std::vector<float> x, y, z;
@@ -33,34 +31,10 @@ struct EvidenceCells {
   std::vector<std::int32_t> instance;
   /// Testimony of the views taken before and after the scan.
   Testimony past, later;
-  /// Cell of each unclustered point of the scan, -1 for all others, shape [n].
-  std::vector<std::int32_t> cellOfPoint;
+  /// Unclustered points of the scan, ascending, and the cell of each, shape [unclustered].
+  std::vector<std::int32_t> lonePoint, loneCell;
 
   std::size_t size() const { return x.size(); }
-};
-
-/// Makes the cells of scans; keeps its table from scan to scan.
-class CellThinning {
- public:
-  /// `cellSize` [m]; `maxCells`: most cells of one instance.
-  CellThinning(double cellSize, int maxCells)
-      : inverseSize_(static_cast<float>(1.0 / cellSize)), maxCells_(maxCells) {}
-
-  /// Replaces `cells`; the first return of a cell stands for it, and of instances with more than
-  /// the most cells every so manieth cell for all. All counts are 0.
-  void thin(const LevelPoints& points, const Segmentation& segmentation, EvidenceCells& cells);
-
- private:
-  std::size_t slotOf(std::uint64_t key) const;
-  void sample(std::int32_t instanceCount, EvidenceCells& cells);
-
-  float inverseSize_;
-  int maxCells_;
-  /// Open addressing: key 0 marks a free slot.
-  std::vector<std::uint64_t> keys_;
-  std::vector<std::int32_t> cellOfSlot_;
-  /// Shape [instanceCount + 1]: cells met so far, and one of how many is kept.
-  std::vector<std::int32_t> met_, stride_;
 };
 
 /// Whether a cell counts as seen through: before the scan (what is there has arrived), or after it

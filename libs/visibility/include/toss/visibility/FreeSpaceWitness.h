@@ -46,6 +46,9 @@ class FreeSpaceWitness {
   std::deque<Scan> scans_;
   /// Scans at the front of scans_ whose cells have been taken; their views still serve.
   std::size_t taken_ = 0;
+  /// The view of a scan that is over, whose memory the next one takes.
+  RangeView spareView_;
+  RangeView::Scratch scratch_;
 };
 
 }  // namespace toss

@@ -14,11 +14,23 @@ namespace toss {
 /// The ranges that one scan measured, kept to be asked later: "did you see through this point?"
 class RangeView {
  public:
-  /// `points`: the scan behind `image`, sensor frame; `mapFromSensor`: pose of the sensor then.
-  /// Returns are filed by their elevation, not by the beam that made them: points are looked up by
-  /// elevation, and on a robot that pitches within its sweep the two differ by several rows.
-  RangeView(const RangeImage& image, const PointCloud& points,
-            const Eigen::Isometry3d& mapFromSensor, const VisibilityOptions& options);
+  /// Working memory of look(), to be kept from scan to scan.
+  struct Scratch {
+    /// Shortest range of each pixel, and of it and its neighbours in the row [m].
+    std::vector<float> ranges, alongRow;
+    /// Column of the view that each column of the scan's image falls into.
+    std::vector<std::uint16_t> columnOf;
+  };
+
+  /// A view that has seen nothing yet.
+  explicit RangeView(const VisibilityOptions& options);
+
+  /// Replaces what was seen. `points`: the scan behind `image`, sensor frame; `mapFromSensor`: pose
+  /// of the sensor then. Returns are filed by their elevation, not by the beam that made them:
+  /// points are looked up by elevation, and on a robot that pitches within its sweep the two differ
+  /// by several rows.
+  void look(const RangeImage& image, const PointCloud& points,
+            const Eigen::Isometry3d& mapFromSensor, Scratch& scratch);
 
   /// Asks about points given in the level frame of a scan taken at `position` [m, map frame]:
   /// x, y, z [m], shape [count]. Adds 1 to freeViews[i] where the view sees past point i in the
@@ -28,19 +40,22 @@ class RangeView {
                std::uint8_t* hitViews) const;
 
  private:
-  void fillRanges(const RangeImage& image, const PointCloud& points);
-  void fillNearest();
+  /// Shortest range of a pixel and of its 3 x 3 neighbourhood [m], infinite where empty: side by
+  /// side, since both are asked for together.
+  struct Pixel {
+    float range, nearest;
+  };
   void fillRowTable(const std::vector<float>& elevations);
-  void judge(float range, int row, int column, std::uint8_t& freeViews,
-             std::uint8_t& hitViews) const;
+  void fillRanges(const RangeImage& image, const PointCloud& points, Scratch& scratch) const;
+  void fillPixels(Scratch& scratch);
 
-  int rows_, columns_;
+  int mostColumns_, rows_ = 0, columns_ = 0;
   float freeMargin_, freeMarginShare_, hitMargin_;
   Eigen::Isometry3d sensorFromMap_;
-  /// Shortest range of each pixel and of its 3 x 3 neighbourhood [m], infinite where empty.
-  std::vector<float> ranges_, nearest_;
-  /// Row of each elevation step, -1 outside the field of view.
-  std::vector<std::int16_t> rowOfElevation_;
+  /// Shape [rows + 1, columns]; the last row is empty and stands for all outside the field of view.
+  std::vector<Pixel> pixels_;
+  /// Row of each step of the sine of elevation.
+  std::vector<std::int16_t> rowOfSine_;
 };
 
 }  // namespace toss
