@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "Command.h"
+#include "ImportCommands.h"
 #include "Progress.h"
 #include "WholeNumber.h"
 
@@ -45,6 +46,7 @@ void addImportCommand(CLI::App& program, const Verbosity& verbosity) {
   kitti->add_flag("--gz", request->options.gz,
                   "Compress: a quarter smaller, some hundred times slower");
   kitti->callback([request, &verbosity] { import(*request, verbosity.quiet); });
+  addImportOuster(*import_, verbosity);
 }
 
 }  // namespace toss

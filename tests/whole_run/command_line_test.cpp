@@ -7,8 +7,9 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST(CommandLine, EveryCommandHasHelpWithAnExample) {
-  for (const std::string command : {"map", "import", "import kitti", "simulate", "eval", "snapshot",
-                                    "info", "config", "benchmark", "benchmark semantickitti"}) {
+  for (const std::string command :
+       {"map", "import", "import kitti", "import ouster", "simulate", "eval", "snapshot", "info",
+        "config", "benchmark", "benchmark semantickitti"}) {
     const ProgramRun run = runProgram(command + " --help");
     EXPECT_EQ(run.code, 0) << command;
     EXPECT_THAT(run.out, HasSubstr("Example: toss " + command)) << command;

@@ -81,18 +81,21 @@ void RawlogWriter::write(const mrpt::serialization::CSerializable& object) {
 }
 
 void RawlogWriter::write(const PosedScan& scan) {
-  const std::string label = scan.sensorLabel.empty() ? kLidarLabel : scan.sensorLabel;
-  implementation_->writeSweep(scan, label);
-  implementation_->checkNoForeignFolders();
   mrpt::obs::CObservationRobotPose pose;
   pose.sensorLabel = kPoseLabel;
   pose.timestamp = toMrptTime(scan.time);
   pose.pose.mean = toMrpt(mapFromRobot(scan));
   write(pose);
+  writeWithoutPose(scan);
+}
 
+void RawlogWriter::writeWithoutPose(const PosedScan& scan) {
+  const std::string label = scan.sensorLabel.empty() ? kLidarLabel : scan.sensorLabel;
+  implementation_->writeSweep(scan, label);
+  implementation_->checkNoForeignFolders();
   mrpt::obs::CObservationPointCloud cloud;
   cloud.sensorLabel = label;
-  cloud.timestamp = pose.timestamp;
+  cloud.timestamp = toMrptTime(scan.time);
   cloud.sensorPose = toMrpt(scan.robotFromSensor);
   cloud.pointcloud = toPointsMap(scan.points);
   write(cloud);

@@ -38,6 +38,8 @@ class RawlogWriter {
   /// The same, and the scan's labels to <stem>_labels/%06d.label, numbered by the order of writing.
   /// `labels`: shape [points].
   void write(const PosedScan& scan, const std::vector<std::uint32_t>& labels);
+  /// The same without labels and pose, for logs whose poses are not known yet.
+  void writeWithoutPose(const PosedScan& scan);
   /// Writes any object, e.g. an observation of another class; it does not count as a scan.
   void write(const mrpt::serialization::CSerializable& object);
 
