@@ -1,85 +1,125 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <toss/segmentation/LargeComponentSplit.h>
 
+#include <algorithm>
+
 namespace toss {
 namespace {
+
+std::size_t at(std::int32_t index) {
+  return static_cast<std::size_t>(index);
+}
 
 bool anyTwoApart(const std::vector<std::int32_t>& parts, const std::vector<Component>& measures) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     for (std::size_t j = i + 1; j < parts.size(); ++j) {
-      const Component& a = measures[static_cast<std::size_t>(parts[i])];
-      if (!a.overlaps(measures[static_cast<std::size_t>(parts[j])])) return true;
+      if (!measures[at(parts[i])].overlaps(measures[at(parts[j])])) return true;
     }
   }
   return false;
 }
 
-}  // namespace
-
-std::int32_t LargeComponentSplit::split(const ObjectNodes& nodes, const LinkRules& rules,
-                                        std::vector<std::int32_t>& component, std::int32_t count) {
-  if (!selectLarge(nodes, component, count)) return count;
-  cluster(nodes, rules, component);
-  judge(rules, count);
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    std::int32_t& c = component[static_cast<std::size_t>(source_[i])];
-    if (!verdicts_[static_cast<std::size_t>(c)].split) continue;
-    c = count + target_[static_cast<std::size_t>(partOfNode_[i])];
-  }
-  return renumberByFirstNode(component, count + static_cast<std::int32_t>(parts_.size()), scratch_);
+void fillNodes(const RowRuns& runs, std::size_t run, std::int32_t component,
+               std::vector<std::int32_t>& ofNode) {
+  std::fill(ofNode.begin() + runs.begin[run], ofNode.begin() + runs.end[run], component);
 }
 
-bool LargeComponentSplit::selectLarge(const ObjectNodes& nodes,
-                                      const std::vector<std::int32_t>& component,
-                                      std::int32_t count) {
-  measureComponents(nodes, component, count, wholes_);
-  bool any = false;
-  selected_.assign(nodes.size(), 0);
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (wholes_[static_cast<std::size_t>(component[i])].extent() > extent_) {
-      selected_[i] = 1;
-      any = true;
+}  // namespace
+
+void LargeComponentSplit::split(const ObjectNodes& nodes, const LinkRules& rules,
+                                const NodeClustering& wholes, NodeComponents& result) {
+  const std::size_t count = wholes.components().size();
+  const bool any = selectLarge(wholes);
+  verdicts_.resize(count);
+  for (Verdict& verdict : verdicts_) verdict.split = false;
+  std::size_t parts = 0;
+  if (any) {
+    clusterAgain(nodes, rules, wholes);
+    judge(rules, count);
+    parts = parts_.components().size();
+  }
+  number_.assign(count + parts, -1);
+  result.ofNode.resize(nodes.size());
+  result.measures.clear();
+  // Both lists of runs are in the order of the nodes, and the parts' runs divide those selected.
+  std::size_t part = 0;
+  for (std::size_t run = 0; run < wholes.runs().size(); ++run) {
+    const std::int32_t whole = wholes.componentOfRun()[run];
+    if (!verdicts_[at(whole)].split) {
+      fillNodes(wholes.runs(), run, number(whole, wholes.runs().measures[run], result),
+                result.ofNode);
     }
+    if (selected_[run] == 0) continue;
+    for (; part < parts_.runs().size() && parts_.runs().begin[part] < wholes.runs().end[run];
+         ++part) {
+      if (!verdicts_[at(whole)].split) continue;
+      const std::int32_t target = target_[at(parts_.componentOfRun()[part])];
+      const auto component = static_cast<std::int32_t>(count) + target;
+      fillNodes(parts_.runs(), part, number(component, parts_.runs().measures[part], result),
+                result.ofNode);
+    }
+  }
+}
+
+/// Final number of a component, of which a run is at hand.
+std::int32_t LargeComponentSplit::number(std::int32_t component, const Component& measure,
+                                         NodeComponents& result) {
+  std::int32_t& number = number_[at(component)];
+  if (number < 0) {
+    number = static_cast<std::int32_t>(result.measures.size());
+    result.measures.emplace_back();
+  }
+  result.measures[at(number)].merge(measure);
+  return number;
+}
+
+bool LargeComponentSplit::selectLarge(const NodeClustering& wholes) {
+  bool any = false;
+  selected_.assign(wholes.runs().size(), 0);
+  if (extent_ == 0.0f) return false;
+  for (std::size_t run = 0; run < wholes.runs().size(); ++run) {
+    const Component& whole = wholes.components()[at(wholes.componentOfRun()[run])];
+    if (whole.extent() > extent_) selected_[run] = 1, any = true;
   }
   return any;
 }
 
-void LargeComponentSplit::cluster(const ObjectNodes& nodes, const LinkRules& rules,
-                                  const std::vector<std::int32_t>& component) {
-  selectNodes(nodes, selected_, factor_, nodes_, source_);
+void LargeComponentSplit::clusterAgain(const ObjectNodes& nodes, const LinkRules& rules,
+                                       const NodeClustering& wholes) {
+  shortenReaches(nodes.reaches, factor_, reaches_);
   LinkRules shorter = rules;
   shorter.surfaceDistance *= factor_;
-  const std::int32_t parts = clustering_.cluster(nodes_, shorter, partOfNode_);
-  measureComponents(nodes_, partOfNode_, parts, parts_);
-  wholeOfPart_.resize(parts_.size());
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    wholeOfPart_[static_cast<std::size_t>(partOfNode_[i])] =
-        component[static_cast<std::size_t>(source_[i])];
+  parts_.cluster(nodes, reaches_, shorter, wholes, selected_);
+  wholeOfPart_.resize(parts_.components().size());
+  std::size_t part = 0;
+  for (std::size_t run = 0; run < wholes.runs().size(); ++run) {
+    if (selected_[run] == 0) continue;
+    for (; part < parts_.runs().size() && parts_.runs().begin[part] < wholes.runs().end[run];
+         ++part) {
+      wholeOfPart_[at(parts_.componentOfRun()[part])] = wholes.componentOfRun()[run];
+    }
   }
 }
 
-void LargeComponentSplit::judge(const LinkRules& rules, std::int32_t count) {
-  verdicts_.resize(static_cast<std::size_t>(count));
-  for (Verdict& verdict : verdicts_) {
-    verdict.parts.clear();
-    verdict.largest = -1;
+void LargeComponentSplit::judge(const LinkRules& rules, std::size_t count) {
+  const std::vector<Component>& parts = parts_.components();
+  for (std::size_t whole = 0; whole < count; ++whole) {
+    verdicts_[whole].parts.clear();
+    verdicts_[whole].largest = -1;
   }
-  const auto returnsOf = [&](std::int32_t p) {
-    return parts_[static_cast<std::size_t>(p)].returns;
-  };
-  target_.assign(parts_.size(), -1);
-  for (std::size_t p = 0; p < parts_.size(); ++p) {
+  target_.assign(parts.size(), -1);
+  for (std::size_t p = 0; p < parts.size(); ++p) {
     const auto part = static_cast<std::int32_t>(p);
-    Verdict& verdict = verdicts_[static_cast<std::size_t>(wholeOfPart_[p])];
-    const bool leads = verdict.largest < 0 || parts_[p].returns > returnsOf(verdict.largest);
+    Verdict& verdict = verdicts_[at(wholeOfPart_[p])];
+    const bool leads = verdict.largest < 0 || parts[p].returns > parts[at(verdict.largest)].returns;
     if (leads) verdict.largest = part;
-    if (parts_[p].returns < rules.minPointsOfPart(parts_[p].nearest)) continue;
+    if (parts[p].returns < rules.minPointsOfPart(parts[p].nearest)) continue;
     verdict.parts.push_back(part);
     target_[p] = part;
   }
-  for (Verdict& verdict : verdicts_) verdict.split = anyTwoApart(verdict.parts, parts_);
-  for (std::size_t p = 0; p < parts_.size(); ++p) {
-    if (target_[p] < 0) target_[p] = verdicts_[static_cast<std::size_t>(wholeOfPart_[p])].largest;
+  for (Verdict& verdict : verdicts_) verdict.split = anyTwoApart(verdict.parts, parts);
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    if (target_[p] < 0) target_[p] = verdicts_[at(wholeOfPart_[p])].largest;
   }
 }
 

@@ -43,18 +43,18 @@ class NearestInstance {
   }
 
   void searchColumns(int row, int first, int last) {
-    const auto begin = nodes_.nodes.begin() + nodes_.rowBegin[static_cast<std::size_t>(row)];
-    const auto end = nodes_.nodes.begin() + nodes_.rowBegin[static_cast<std::size_t>(row) + 1];
-    const auto isBefore = [](const ObjectNode& node, int column) { return node.column < column; };
-    for (auto it = std::lower_bound(begin, end, first, isBefore); it != end && it->column <= last;
-         ++it) {
-      consider(*it, instanceOfNode_[static_cast<std::size_t>(it - nodes_.nodes.begin())]);
+    const auto columns = nodes_.column.begin();
+    const auto begin = columns + nodes_.rowBegin[static_cast<std::size_t>(row)];
+    const auto end = columns + nodes_.rowBegin[static_cast<std::size_t>(row) + 1];
+    for (auto it = std::lower_bound(begin, end, first); it != end && *it <= last; ++it) {
+      consider(static_cast<std::size_t>(it - columns));
     }
   }
 
-  void consider(const ObjectNode& node, std::int32_t instance) {
+  void consider(std::size_t node) {
+    const std::int32_t instance = instanceOfNode_[node];
     if (instance == 0) return;
-    const float dx = node.x - x_, dy = node.y - y_, dz = node.z - z_;
+    const float dx = nodes_.x[node] - x_, dy = nodes_.y[node] - y_, dz = nodes_.z[node] - z_;
     const float distance2 = dx * dx + dy * dy + dz * dz;
     if (distance2 >= nearest2_) return;
     nearest2_ = distance2;
@@ -87,7 +87,7 @@ void attachLeftoverPoints(const LevelPoints& points, const RangeImage& image,
   NearestInstance nearest(rules, nodes, instanceOfNode, distance);
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     if (instanceOfNode[n] != 0) continue;
-    attach(static_cast<std::size_t>(nodes[n].point), points, image, nearest, segmentation);
+    attach(static_cast<std::size_t>(nodes.point[n]), points, image, nearest, segmentation);
   }
   for (std::size_t m = 0; m < nodes.matePoint.size(); ++m) {
     if (instanceOfNode[static_cast<std::size_t>(nodes.mateNode[m])] != 0) continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <toss/segmentation/ObjectNodes.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace toss {
@@ -11,63 +12,89 @@ struct Scan {
   const LevelPoints& points;
   const RangeImage& image;
   const Segmentation& segmentation;
+
+  bool isCandidate(std::size_t i) const {
+    return segmentation.pointClass[i] == PointClass::Unclustered &&
+           image.row[i] != RangeImage::kNoRow &&
+           std::isfinite(points.x[i] + points.y[i] + points.z[i]);
+  }
 };
 
-bool isCandidate(const Scan& scan, std::size_t i) {
-  return scan.segmentation.pointClass[i] == PointClass::Unclustered &&
-         scan.image.row[i] != RangeImage::kNoRow && std::isfinite(scan.points.x[i]) &&
-         std::isfinite(scan.points.y[i]) && std::isfinite(scan.points.z[i]);
-}
-
-ObjectNode makeNode(const Scan& scan, const LinkRules& rules, std::int32_t point, int column) {
-  const std::size_t i = static_cast<std::size_t>(point);
-  const float x = scan.points.x[i], y = scan.points.y[i];
-  const float range = std::sqrt(x * x + y * y);
-  return {x, y, scan.points.z[i], range, rules.reach(range), column, point, 1};
-}
-
 /// Node `first` or later, all of one pixel, on whose surface a return at `range` lies; -1 if none.
-std::int32_t surfaceAt(const RangeImage& image, const std::vector<ObjectNode>& nodes,
+std::int32_t surfaceAt(const RangeImage& image, const std::vector<std::int32_t>& nodes,
                        std::size_t first, float range, float pixelMerge) {
   for (std::size_t n = first; n < nodes.size(); ++n) {
-    const float surface = image.range[static_cast<std::size_t>(nodes[n].point)];
+    const float surface = image.range[static_cast<std::size_t>(nodes[n])];
     if (std::abs(range - surface) < pixelMerge) return static_cast<std::int32_t>(n);
   }
   return -1;
 }
 
+void addNode(std::int32_t point, int column, ObjectNodes& result) {
+  result.point.push_back(point);
+  result.column.push_back(column);
+  result.returns.push_back(1);
+}
+
 /// Adds the returns of a pixel: it may hold several surfaces, the edge of one and what is behind.
-void gatherPixel(const Scan& scan, const LinkRules& rules, float pixelMerge, int column,
-                 std::int32_t head, ObjectNodes& result) {
+void gatherPixel(const Scan& scan, float pixelMerge, int column, std::int32_t head,
+                 ObjectNodes& result) {
   const std::size_t first = result.size();
   for (std::int32_t p = head; p != RangeImage::kNone;
        p = scan.image.next[static_cast<std::size_t>(p)]) {
     const std::size_t i = static_cast<std::size_t>(p);
-    if (!isCandidate(scan, i)) continue;
+    if (!scan.isCandidate(i)) continue;
     const std::int32_t host =
-        surfaceAt(scan.image, result.nodes, first, scan.image.range[i], pixelMerge);
+        surfaceAt(scan.image, result.point, first, scan.image.range[i], pixelMerge);
     if (host < 0) {
-      result.nodes.push_back(makeNode(scan, rules, p, column));
+      addNode(p, column, result);
       continue;
     }
     result.matePoint.push_back(p);
     result.mateNode.push_back(host);
-    ++result.nodes[static_cast<std::size_t>(host)].returns;
+    ++result.returns[static_cast<std::size_t>(host)];
   }
 }
 
-void shorten(LinkRules::Reach& reach, float factor) {
-  reach.horizontal *= factor;
-  reach.vertical *= factor;
-  // One column of the window is for returns that lie anywhere in their pixels, whatever the reach.
-  const float columns = std::ceil(factor * static_cast<float>(reach.window - 1));
-  reach.window = std::min(reach.window, static_cast<std::int32_t>(columns) + 1);
-}
-
 void clear(ObjectNodes& nodes) {
-  nodes.nodes.clear();
+  nodes.point.clear(), nodes.column.clear(), nodes.returns.clear();
   nodes.rowBegin.assign(1, 0);
   nodes.matePoint.clear(), nodes.mateNode.clear();
+}
+
+void takeCoordinates(const LevelPoints& points, ObjectNodes& nodes) {
+  const std::size_t n = nodes.size();
+  nodes.x.resize(n), nodes.y.resize(n), nodes.z.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto point = static_cast<std::size_t>(nodes.point[i]);
+    nodes.x[i] = points.x[point], nodes.y[i] = points.y[point], nodes.z[i] = points.z[point];
+  }
+}
+
+// The compiler vectorises these only as functions of arrays that are known not to overlap.
+
+void findRanges(const float* __restrict x, const float* __restrict y, std::size_t n,
+                float* __restrict range) {
+  for (std::size_t i = 0; i < n; ++i) range[i] = std::sqrt(x[i] * x[i] + y[i] * y[i]);
+}
+
+void findReaches(const LinkRules& rules, const float* __restrict range, std::size_t n,
+                 float* __restrict horizontal, float* __restrict vertical,
+                 std::int32_t* __restrict window) {
+  const LinkRules held = rules;
+  for (std::size_t i = 0; i < n; ++i) {
+    const LinkRules::Reach reach = held.reach(range[i]);
+    horizontal[i] = reach.horizontal, vertical[i] = reach.vertical, window[i] = reach.window;
+  }
+}
+
+void shortenAll(const float* __restrict distance, std::size_t n, float factor,
+                float* __restrict result) {
+  for (std::size_t i = 0; i < n; ++i) result[i] = distance[i] * factor;
+}
+
+void resize(NodeReaches& reaches, std::size_t n) {
+  reaches.horizontal.resize(n), reaches.vertical.resize(n), reaches.window.resize(n);
 }
 
 }  // namespace
@@ -80,25 +107,38 @@ void gatherNodes(const LevelPoints& points, const RangeImage& image,
   for (int row = 0; row < image.rows; ++row) {
     const std::int32_t* const heads = image.representative.data() + image.pixel(row, 0);
     for (int column = 0; column < image.columns; ++column) {
-      if (heads[column] == RangeImage::kNone) continue;
-      gatherPixel(scan, rules, pixelMerge, column, heads[column], result);
+      const std::int32_t head = heads[column];
+      if (head == RangeImage::kNone) continue;
+      const auto i = static_cast<std::size_t>(head);
+      if (image.next[i] != RangeImage::kNone) {
+        gatherPixel(scan, pixelMerge, column, head, result);
+      } else if (scan.isCandidate(i)) {
+        addNode(head, column, result);
+      }
     }
     result.rowBegin.push_back(static_cast<std::int32_t>(result.size()));
   }
+  const std::size_t n = result.size();
+  takeCoordinates(points, result);
+  result.range.resize(n);
+  findRanges(result.x.data(), result.y.data(), n, result.range.data());
+  resize(result.reaches, n);
+  findReaches(rules, result.range.data(), n, result.reaches.horizontal.data(),
+              result.reaches.vertical.data(), result.reaches.window.data());
 }
 
-void selectNodes(const ObjectNodes& nodes, const std::vector<std::uint8_t>& selected, float factor,
-                 ObjectNodes& result, std::vector<std::int32_t>& source) {
-  clear(result);
-  source.clear();
-  for (std::size_t row = 0; row + 1 < nodes.rowBegin.size(); ++row) {
-    for (std::int32_t n = nodes.rowBegin[row]; n < nodes.rowBegin[row + 1]; ++n) {
-      if (!selected[static_cast<std::size_t>(n)]) continue;
-      source.push_back(n);
-      result.nodes.push_back(nodes[static_cast<std::size_t>(n)]);
-      shorten(result.nodes.back().reach, factor);
-    }
-    result.rowBegin.push_back(static_cast<std::int32_t>(result.size()));
+void shortenReaches(const NodeReaches& reaches, float factor, NodeReaches& result) {
+  const std::size_t n = reaches.window.size();
+  resize(result, n);
+  shortenAll(reaches.horizontal.data(), n, factor, result.horizontal.data());
+  shortenAll(reaches.vertical.data(), n, factor, result.vertical.data());
+  // One column of the window is for returns that lie anywhere in their pixels, whatever the reach.
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::int32_t window = reaches.window[i];
+    const float columns = factor * static_cast<float>(window - 1);
+    const auto whole = static_cast<std::int32_t>(columns);
+    const std::int32_t roundedUp = whole + (static_cast<float>(whole) < columns ? 1 : 0);
+    result.window[i] = std::min(window, roundedUp + 1);
   }
 }
 

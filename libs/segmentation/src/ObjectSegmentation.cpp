@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <toss/segmentation/Components.h>
 #include <toss/segmentation/LargeComponentSplit.h>
 #include <toss/segmentation/LeftoverPoints.h>
 #include <toss/segmentation/LinkRules.h>
@@ -51,31 +50,29 @@ struct ObjectSegmentation::Implementation {
         splitter(static_cast<float>(o.splitExtent), static_cast<float>(o.splitFactor)) {}
 
   /// Numbers the components that are instances; returns how many.
-  std::int32_t numberInstances(const LinkRules& rules, std::int32_t componentCount);
+  std::int32_t numberInstances(const LinkRules& rules);
   void write(Segmentation& segmentation) const;
 
   ObjectOptions options;
   ObjectNodes nodes;
   NodeClustering clustering;
   LargeComponentSplit splitter;
-  std::vector<Component> components;
-  std::vector<std::int32_t> componentOfNode, instanceOfComponent, instanceOfNode;
+  NodeComponents components;
+  std::vector<std::int32_t> instanceOfComponent, instanceOfNode;
 };
 
-std::int32_t ObjectSegmentation::Implementation::numberInstances(const LinkRules& rules,
-                                                                 std::int32_t componentCount) {
-  measureComponents(nodes, componentOfNode, componentCount, components);
-  instanceOfComponent.resize(components.size());
+std::int32_t ObjectSegmentation::Implementation::numberInstances(const LinkRules& rules) {
+  instanceOfComponent.resize(components.measures.size());
   std::int32_t count = 0;
-  for (std::size_t c = 0; c < components.size(); ++c) {
-    const Component& component = components[c];
+  for (std::size_t c = 0; c < instanceOfComponent.size(); ++c) {
+    const Component& component = components.measures[c];
     const bool enough = component.returns >= rules.minPoints(component.nearest);
     const bool tooMany = options.maxPoints > 0 && component.returns > options.maxPoints;
     instanceOfComponent[c] = enough && !tooMany ? ++count : 0;
   }
   instanceOfNode.resize(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    instanceOfNode[i] = instanceOfComponent[static_cast<std::size_t>(componentOfNode[i])];
+    instanceOfNode[i] = instanceOfComponent[static_cast<std::size_t>(components.ofNode[i])];
   }
   return count;
 }
@@ -86,7 +83,7 @@ void ObjectSegmentation::Implementation::write(Segmentation& segmentation) const
     segmentation.instance[static_cast<std::size_t>(point)] = instance;
     segmentation.pointClass[static_cast<std::size_t>(point)] = PointClass::Instance;
   };
-  for (std::size_t i = 0; i < nodes.size(); ++i) give(nodes[i].point, instanceOfNode[i]);
+  for (std::size_t i = 0; i < nodes.size(); ++i) give(nodes.point[i], instanceOfNode[i]);
   for (std::size_t m = 0; m < nodes.matePoint.size(); ++m) {
     give(nodes.matePoint[m], instanceOfNode[static_cast<std::size_t>(nodes.mateNode[m])]);
   }
@@ -105,12 +102,10 @@ void ObjectSegmentation::segment(const LevelPoints& points, const RangeImage& im
   const LinkRules rules(self.options, image);
   gatherNodes(points, image, segmentation, rules, static_cast<float>(self.options.pixelMerge),
               self.nodes);
-  std::int32_t components = self.clustering.cluster(self.nodes, rules, self.componentOfNode);
-  if (self.options.splitExtent > 0.0) {
-    components = self.splitter.split(self.nodes, rules, self.componentOfNode, components);
-  }
+  self.clustering.cluster(self.nodes, rules);
+  self.splitter.split(self.nodes, rules, self.clustering, self.components);
   segmentation.instance.assign(segmentation.pointClass.size(), 0);
-  segmentation.instanceCount = self.numberInstances(rules, components);
+  segmentation.instanceCount = self.numberInstances(rules);
   self.write(segmentation);
   if (self.options.attachDistance > 0.0) {
     attachLeftoverPoints(points, image, rules, self.nodes, self.instanceOfNode,

@@ -6,42 +6,92 @@
 namespace toss {
 namespace {
 
-bool linkedToNext(const ObjectNode& node, const ObjectNode& next) {
-  return linked(node, next, &LinkRules::Reach::horizontal, next.column - node.column);
+std::size_t at(std::int32_t index) {
+  return static_cast<std::size_t>(index);
 }
 
-RowRun startRun(const ObjectNode& node, std::int32_t index) {
-  return {index, index + 1, node.column, node.column, node.range, node.range, node.reach};
-}
-
-void extend(RowRun& run, const ObjectNode& node) {
-  ++run.end;
-  run.lastColumn = node.column;
-  run.nearest = std::min(run.nearest, node.range);
-  run.farthest = std::max(run.farthest, node.range);
-  run.reach.horizontal = std::max(run.reach.horizontal, node.reach.horizontal);
-  run.reach.vertical = std::max(run.reach.vertical, node.reach.vertical);
-  run.reach.window = std::max(run.reach.window, node.reach.window);
+// The compiler vectorises this only as a function of arrays that are known not to overlap.
+void linkNeighbours(const float* __restrict x, const float* __restrict y,
+                    const std::int32_t* __restrict column, const float* __restrict distance,
+                    const std::int32_t* __restrict window, std::size_t n,
+                    std::uint8_t* __restrict linked) {
+  for (std::size_t i = 1; i < n; ++i) {
+    const float dx = x[i] - x[i - 1], dy = y[i] - y[i - 1];
+    const float limit = std::min(distance[i], distance[i - 1]);
+    const std::int32_t columns = std::min(window[i], window[i - 1]);
+    const bool near = dx * dx + dy * dy < limit * limit;
+    linked[i] = static_cast<std::uint8_t>(near & (column[i] - column[i - 1] <= columns));
+  }
 }
 
 }  // namespace
 
-void RowRuns::build(const ObjectNodes& nodes) {
-  runs.clear();
+void RowRuns::clear() {
+  begin.clear(), end.clear(), firstColumn.clear(), lastColumn.clear();
+  nearest.clear(), farthest.clear(), measures.clear();
+  reaches.horizontal.clear(), reaches.vertical.clear(), reaches.window.clear();
   rowBegin.assign(1, 0);
   widest = 0;
+}
+
+void RowRuns::findLinks(const ObjectNodes& nodes, const NodeReaches& nodeReaches) {
+  linked_.resize(nodes.size());
+  linkNeighbours(nodes.x.data(), nodes.y.data(), nodes.column.data(), nodeReaches.horizontal.data(),
+                 nodeReaches.window.data(), nodes.size(), linked_.data());
+}
+
+void RowRuns::build(const ObjectNodes& nodes) {
+  clear();
+  findLinks(nodes, nodes.reaches);
   for (std::size_t row = 0; row + 1 < nodes.rowBegin.size(); ++row) {
-    for (std::int32_t n = nodes.rowBegin[row]; n < nodes.rowBegin[row + 1]; ++n) {
-      const std::size_t i = static_cast<std::size_t>(n);
-      widest = std::max(widest, nodes[i].reach.window);
-      if (n > nodes.rowBegin[row] && linkedToNext(nodes[i - 1], nodes[i])) {
-        extend(runs.back(), nodes[i]);
-      } else {
-        runs.push_back(startRun(nodes[i], n));
-      }
+    cut(nodes, nodes.reaches, nodes.rowBegin[row], nodes.rowBegin[row + 1]);
+    rowBegin.push_back(static_cast<std::int32_t>(size()));
+  }
+}
+
+void RowRuns::build(const ObjectNodes& nodes, const NodeReaches& shorter, const RowRuns& whole,
+                    const std::vector<std::uint8_t>& selected) {
+  clear();
+  findLinks(nodes, shorter);
+  for (std::size_t row = 0; row + 1 < whole.rowBegin.size(); ++row) {
+    for (std::int32_t run = whole.rowBegin[row]; run < whole.rowBegin[row + 1]; ++run) {
+      if (selected[at(run)] != 0) cut(nodes, shorter, whole.begin[at(run)], whole.end[at(run)]);
     }
     rowBegin.push_back(static_cast<std::int32_t>(size()));
   }
+}
+
+void RowRuns::cut(const ObjectNodes& nodes, const NodeReaches& nodeReaches, std::int32_t first,
+                  std::int32_t last) {
+  for (std::int32_t from = first; from < last;) {
+    std::int32_t to = from + 1;
+    while (to < last && linked_[at(to)] != 0) ++to;
+    add(nodes, nodeReaches, from, to);
+    from = to;
+  }
+}
+
+void RowRuns::add(const ObjectNodes& nodes, const NodeReaches& nodeReaches, std::int32_t first,
+                  std::int32_t last) {
+  Component measure;
+  float far = 0.0f, horizontal = 0.0f, vertical = 0.0f;
+  std::int32_t window = 0;
+  for (std::size_t i = at(first); i < at(last); ++i) {
+    measure.merge(
+        {nodes.returns[i], nodes.range[i], nodes.x[i], nodes.x[i], nodes.y[i], nodes.y[i]});
+    far = std::max(far, nodes.range[i]);
+    horizontal = std::max(horizontal, nodeReaches.horizontal[i]);
+    vertical = std::max(vertical, nodeReaches.vertical[i]);
+    window = std::max(window, nodeReaches.window[i]);
+  }
+  begin.push_back(first), end.push_back(last);
+  firstColumn.push_back(nodes.column[at(first)]);
+  lastColumn.push_back(nodes.column[at(last - 1)]);
+  nearest.push_back(measure.nearest), farthest.push_back(far);
+  reaches.horizontal.push_back(horizontal), reaches.vertical.push_back(vertical);
+  reaches.window.push_back(window);
+  measures.push_back(measure);
+  widest = std::max(widest, window);
 }
 
 }  // namespace toss

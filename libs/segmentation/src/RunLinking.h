@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace toss {
 
@@ -15,13 +16,12 @@ namespace toss {
 /// and ring closure, between rows its vertical merge, both also across the rear seam.
 class RunLinking {
  public:
-  RunLinking(const ObjectNodes& nodes, const RowRuns& runs, const LinkRules& rules,
-             UnionFind& sets);
+  /// `reaches`: those of the nodes by which `runs` were cut. All references must outlive this.
+  RunLinking(const ObjectNodes& nodes, const NodeReaches& reaches, const RowRuns& runs,
+             const LinkRules& rules, UnionFind& sets);
 
-  /// Unites the runs of `row` with each other.
-  void linkWithin(int row);
-  /// Unites the runs of `upper` with those of `lower`, a row below it.
-  void linkBetween(int upper, int lower);
+  /// Unites the runs of `row` with each other and with those of the rows above that links reach.
+  void linkRow(int row);
 
  private:
   using Index = std::int32_t;
@@ -29,32 +29,32 @@ class RunLinking {
   struct Span {
     Index begin, end;
   };
-  /// Ranges [m] from the sensor.
-  struct Interval {
-    float low, high;
-    bool meets(const RowRun& run) const { return run.nearest <= high && run.farthest >= low; }
+  /// What holds for the two rows at hand: link distances of nodes and of runs [m], limit of the
+  /// height difference [m] and surface distance [m].
+  struct Limits {
+    const float *ofNode, *ofRun;
+    float height, surface;
   };
-  Span runsOf(int row) const;
-  /// Ranges at which nodes linked with the run can lie.
-  Interval rangesInReach(const RowRun& run) const;
   static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-  /// Links the runs of two rows; `second` lies beside `first` when moved by `shift` columns.
-  void sweep(Span first, Span second, Index shift);
-  /// Links the last runs of `left` with the first ones of `right`.
-  void sweepSeam(Span left, Span right);
-  /// Unites two runs if any of their nodes are linked.
+  Span runsOf(int row) const;
+  /// The first and the last runs of a row, which may lie in reach of each other across the seam.
+  Span firstOf(Span row) const;
+  Span lastOf(Span row) const;
+  void linkWithin(Span row);
+  void linkBetween(Span row, Span upper);
+  /// Links runs with others, as these lie when moved by `shift` columns to the right. Of the same
+  /// row (`within`), each pair is looked at once.
+  void sweep(Span runs, Span others, Index shift, bool within = false);
   void link(Index a, Index b, Index shift);
-  bool touches(const RowRun& a, const RowRun& b, Index shift) const;
-  bool linkedNodes(const ObjectNode& a, const ObjectNode& b, Index shift) const;
-  bool onOneSurface(const ObjectNode& a, const ObjectNode& b, Index columnGap) const;
+  bool touches(Index a, Index b, Index shift) const;
+  bool linkedNodes(std::size_t a, std::size_t b, Index columnGap) const;
 
   const ObjectNodes& nodes_;
+  const NodeReaches& reaches_;
   const RowRuns& runs_;
   const LinkRules& rules_;
   UnionFind& sets_;
-  /// Link distance, height limit and surface distance [m] that hold for the two rows at hand.
-  float LinkRules::Reach::*distance_ = nullptr;
-  float heightLimit_ = 0.0f, surfaceDistance_ = 0.0f;
+  Limits limits_ = {};
 };
 
 }  // namespace toss

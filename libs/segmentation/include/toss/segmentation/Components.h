@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <toss/segmentation/ObjectNodes.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 namespace toss {
 
-/// What is known of one cluster of nodes.
+/// What is known of a set of nodes: a run or a cluster.
 struct Component {
   /// Returns of all its nodes.
   std::int32_t returns = 0;
@@ -25,15 +22,13 @@ struct Component {
   bool overlaps(const Component& other) const {
     return minX <= other.maxX && other.minX <= maxX && minY <= other.maxY && other.minY <= maxY;
   }
+  /// Takes in the nodes of another.
+  void merge(const Component& other) {
+    returns += other.returns;
+    nearest = std::min(nearest, other.nearest);
+    minX = std::min(minX, other.minX), maxX = std::max(maxX, other.maxX);
+    minY = std::min(minY, other.minY), maxY = std::max(maxY, other.maxY);
+  }
 };
-
-/// Measures the components 0..count-1; `component`: that of each node.
-void measureComponents(const ObjectNodes& nodes, const std::vector<std::int32_t>& component,
-                       std::int32_t count, std::vector<Component>& result);
-
-/// Renumbers `component` from 0 in order of each component's first node. Returns their number.
-/// `scratch` is memory to be reused.
-std::int32_t renumberByFirstNode(std::vector<std::int32_t>& component, std::int32_t count,
-                                 std::vector<std::int32_t>& scratch);
 
 }  // namespace toss

@@ -11,42 +11,52 @@
 
 namespace toss {
 
+/// Clusters of nodes.
+struct NodeComponents {
+  /// Component of each node, numbered from 0 by first node, shape [nodes].
+  std::vector<std::int32_t> ofNode;
+  /// Size and place of each component.
+  std::vector<Component> measures;
+};
+
 /// Guard against under-segmentation (spec section 3.4): a component that is too long to be one
 /// object is clustered again with shorter link distances, and falls into the parts found if two of
 /// those that are large enough lie apart. Parts that are too small join the largest one, so that
 /// neither a hedge nor a truck crumbles.
 class LargeComponentSplit {
  public:
-  /// Components longer than `extent` [m] are tried, with link distances times `factor`.
+  /// Components longer than `extent` [m] are tried, with link distances times `factor`; none for an
+  /// extent of 0.
   LargeComponentSplit(float extent, float factor) : extent_(extent), factor_(factor) {}
 
-  /// `component`: the component of each node, 0..count-1, changed in place; numbered by first node
-  /// before and after. Returns the number of components after.
-  std::int32_t split(const ObjectNodes& nodes, const LinkRules& rules,
-                     std::vector<std::int32_t>& component, std::int32_t count);
+  /// Fills `result` with the components of `wholes`, split where they are too long.
+  void split(const ObjectNodes& nodes, const LinkRules& rules, const NodeClustering& wholes,
+             NodeComponents& result);
 
  private:
-  bool selectLarge(const ObjectNodes& nodes, const std::vector<std::int32_t>& component,
-                   std::int32_t count);
-  void cluster(const ObjectNodes& nodes, const LinkRules& rules,
-               const std::vector<std::int32_t>& component);
-  void judge(const LinkRules& rules, std::int32_t count);
-
-  float extent_, factor_;
-  NodeClustering clustering_;
-  std::vector<Component> wholes_, parts_;
-  std::vector<std::uint8_t> selected_;
-  ObjectNodes nodes_;
-  std::vector<std::int32_t> source_, partOfNode_, wholeOfPart_, scratch_;
   /// Of each whole: whether it is split, its parts that are large enough, and the largest of all.
   struct Verdict {
     bool split = false;
     std::vector<std::int32_t> parts;
     std::int32_t largest = -1;
   };
+
+  bool selectLarge(const NodeClustering& wholes);
+  void clusterAgain(const ObjectNodes& nodes, const LinkRules& rules, const NodeClustering& wholes);
+  void judge(const LinkRules& rules, std::size_t count);
+  std::int32_t number(std::int32_t component, const Component& measure, NodeComponents& result);
+
+  float extent_, factor_;
+  NodeClustering parts_;
+  NodeReaches reaches_;
+  /// Whether each run of the wholes is clustered again.
+  std::vector<std::uint8_t> selected_;
+  std::vector<std::int32_t> wholeOfPart_;
   std::vector<Verdict> verdicts_;
   /// Part that each part is counted to.
   std::vector<std::int32_t> target_;
+  /// Final number of each whole and, after them, of each part; -1 before it is met.
+  std::vector<std::int32_t> number_;
 };
 
 }  // namespace toss

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <toss/segmentation/Components.h>
 #include <toss/segmentation/LinkRules.h>
 #include <toss/segmentation/ObjectNodes.h>
 #include <toss/segmentation/RowRuns.h>
@@ -16,15 +17,26 @@ namespace toss {
 /// joined already or too far apart.
 class NodeClustering {
  public:
-  /// Fills `component` with the component of each node, numbered from 0 by first node, shape
-  /// [nodes]. Returns the number of components.
-  std::int32_t cluster(const ObjectNodes& nodes, const LinkRules& rules,
-                       std::vector<std::int32_t>& component);
+  /// Clusters all nodes.
+  void cluster(const ObjectNodes& nodes, const LinkRules& rules);
+  /// Clusters the nodes of those runs of `whole` that are `selected` (shape [whole.runs().size()])
+  /// with shorter `reaches`.
+  void cluster(const ObjectNodes& nodes, const NodeReaches& reaches, const LinkRules& rules,
+               const NodeClustering& whole, const std::vector<std::uint8_t>& selected);
+
+  const RowRuns& runs() const { return runs_; }
+  /// Component of each run, numbered from 0 by first node, shape [runs().size()].
+  const std::vector<std::int32_t>& componentOfRun() const { return componentOfRun_; }
+  /// Size and place of each component.
+  const std::vector<Component>& components() const { return components_; }
 
  private:
+  void link(const ObjectNodes& nodes, const NodeReaches& reaches, const LinkRules& rules);
+
   RowRuns runs_;
   UnionFind sets_;
-  std::vector<std::int32_t> number_;
+  std::vector<std::int32_t> componentOfRun_;
+  std::vector<Component> components_;
 };
 
 }  // namespace toss

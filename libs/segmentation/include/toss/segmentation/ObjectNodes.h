@@ -5,45 +5,37 @@
 #include <toss/segmentation/RangeImage.h>
 #include <toss/segmentation/Segmentation.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace toss {
 
-/// One surface seen in one pixel: what is clustered.
-struct ObjectNode {
-  /// Coordinates in the level frame [m], and horizontal distance from the sensor [m].
-  float x, y, z, range;
-  /// LinkRules::Reach of the node.
-  LinkRules::Reach reach;
-  std::int32_t column;
-  /// Index of the point that stands for the node, and number of returns that share it.
-  std::int32_t point, returns;
+/// LinkRules::Reach of each node, struct of arrays.
+struct NodeReaches {
+  /// Link distances [m] within a row and between rows, shape [nodes].
+  std::vector<float> horizontal, vertical;
+  /// Columns within which a linked node must lie, shape [nodes].
+  std::vector<std::int32_t> window;
 };
 
-/// Whether a and b, `columnGap` columns apart, lie within the link distance and window of each.
-/// `distance`: which link distance, horizontal or vertical.
-inline bool linked(const ObjectNode& a, const ObjectNode& b, float LinkRules::Reach::*distance,
-                   std::int32_t columnGap) {
-  const float limit = std::min(a.reach.*distance, b.reach.*distance);
-  const float dx = a.x - b.x, dy = a.y - b.y;
-  return dx * dx + dy * dy < limit * limit && columnGap <= std::min(a.reach.window, b.reach.window);
-}
-
-/// All nodes of a scan, row by row from the top and by column within a row. Returns of a pixel that
-/// lie on one surface share a node, so every return above ground is a node or a mate of one.
+/// All nodes of a scan, row by row from the top and by column within a row: a node is one surface
+/// seen in one pixel, and what is clustered. Returns of a pixel that lie on one surface share a
+/// node, so every return above ground is a node or a mate of one. Struct of arrays.
 struct ObjectNodes {
-  /// Shape [nodes].
-  std::vector<ObjectNode> nodes;
+  /// Coordinates in the level frame [m], and horizontal distance from the sensor [m], shape
+  /// [nodes].
+  std::vector<float> x, y, z, range;
+  /// Column in the range image, index of the point that stands for the node, and number of returns
+  /// that share it, shape [nodes].
+  std::vector<std::int32_t> column, point, returns;
+  NodeReaches reaches;
   /// Nodes of row r are rowBegin[r] .. rowBegin[r + 1] - 1, shape [rows + 1].
   std::vector<std::int32_t> rowBegin;
   /// Returns that are mates, and the node of each, shape [mates].
   std::vector<std::int32_t> matePoint, mateNode;
 
-  std::size_t size() const { return nodes.size(); }
-  const ObjectNode& operator[](std::size_t i) const { return nodes[i]; }
+  std::size_t size() const { return point.size(); }
   int rows() const { return static_cast<int>(rowBegin.size()) - 1; }
 };
 
@@ -53,9 +45,7 @@ void gatherNodes(const LevelPoints& points, const RangeImage& image,
                  const Segmentation& segmentation, const LinkRules& rules, float pixelMerge,
                  ObjectNodes& result);
 
-/// Copies the nodes whose `selected` is not 0, link distances times `factor`, without mates.
-/// `source`: index in `nodes` of each copied node.
-void selectNodes(const ObjectNodes& nodes, const std::vector<std::uint8_t>& selected, float factor,
-                 ObjectNodes& result, std::vector<std::int32_t>& source);
+/// Link distances times `factor`, and the windows that go with them.
+void shortenReaches(const NodeReaches& reaches, float factor, NodeReaches& result);
 
 }  // namespace toss

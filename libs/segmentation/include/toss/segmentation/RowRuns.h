@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <toss/segmentation/Components.h>
 #include <toss/segmentation/ObjectNodes.h>
 
 #include <cstddef>
@@ -9,33 +10,46 @@
 
 namespace toss {
 
-/// Consecutive nodes of a row, each linked with the next. What TRAVEL calls a node: the unit that
-/// is merged (spec section 3).
-struct RowRun {
-  /// First node, and one past the last.
-  std::int32_t begin, end;
-  /// Columns of the first and the last node.
-  std::int32_t firstColumn, lastColumn;
-  /// Least and greatest range of the nodes [m].
-  float nearest, farthest;
-  /// Greatest reach of the nodes.
-  LinkRules::Reach reach;
-};
-
-/// The runs of all rows. Within a row they are sorted by their first and by their last column
-/// alike.
+/// The runs of all rows: consecutive nodes of a row, each linked with the next. What TRAVEL calls a
+/// node: the unit that is merged (spec section 3). Within a row they are sorted by their first and
+/// by their last column alike. Struct of arrays.
 struct RowRuns {
-  std::vector<RowRun> runs;
+  /// First node, and one past the last, shape [runs].
+  std::vector<std::int32_t> begin, end;
+  /// Columns of the first and the last node, shape [runs].
+  std::vector<std::int32_t> firstColumn, lastColumn;
+  /// Least and greatest range of the nodes [m], shape [runs].
+  std::vector<float> nearest, farthest;
+  /// Greatest reach of the nodes, shape [runs] each.
+  NodeReaches reaches;
+  /// Size and place of each run, shape [runs].
+  std::vector<Component> measures;
   /// Runs of row r are rowBegin[r] .. rowBegin[r + 1] - 1, shape [rows + 1].
   std::vector<std::int32_t> rowBegin;
   /// Widest window of all [columns].
   std::int32_t widest = 0;
 
-  std::size_t size() const { return runs.size(); }
-  const RowRun& operator[](std::size_t i) const { return runs[i]; }
+  std::size_t size() const { return begin.size(); }
 
   /// Cuts the rows of `nodes` into runs.
   void build(const ObjectNodes& nodes);
+  /// Cuts those runs of `whole` that are `selected` (shape [whole.size()]) further, as shorter
+  /// `reaches` demand.
+  void build(const ObjectNodes& nodes, const NodeReaches& reaches, const RowRuns& whole,
+             const std::vector<std::uint8_t>& selected);
+
+ private:
+  void clear();
+  /// Finds which nodes are linked with the one before them.
+  void findLinks(const ObjectNodes& nodes, const NodeReaches& reaches);
+  /// Adds the runs of consecutive nodes of a row.
+  void cut(const ObjectNodes& nodes, const NodeReaches& reaches, std::int32_t first,
+           std::int32_t last);
+  void add(const ObjectNodes& nodes, const NodeReaches& reaches, std::int32_t first,
+           std::int32_t last);
+
+  /// Whether each node is linked with the one before it, shape [nodes].
+  std::vector<std::uint8_t> linked_;
 };
 
 }  // namespace toss
