@@ -97,16 +97,26 @@ void loadSections(const std::filesystem::path& file, const std::vector<Options*>
   loadSectionsFromText(text.str(), file.string(), sections);
 }
 
-void setOption(const std::string& assignment, const std::vector<Options*>& sections) {
+void setOption(const std::string& assignment, const std::vector<Options*>& sections,
+               const std::string& where) {
+  const std::string place = where.empty() ? "--set " + assignment : where;
   const auto equals = assignment.find('=');
   const auto dot = assignment.find('.');
   if (equals == std::string::npos || dot == std::string::npos || dot > equals)
-    throw UserError("--set " + assignment, "this is not section.key=value",
-                    "write, for instance, --set map.voxel_size=0.2");
-  Options& options =
-      findSection(trimmed(assignment.substr(0, dot)), sections, "--set " + assignment);
-  options.set(trimmed(assignment.substr(dot + 1, equals - dot - 1)),
-              trimmed(assignment.substr(equals + 1)));
+    throw UserError(place, "this is not section.key=value",
+                    "write, for instance, map.voxel_size=0.2");
+  Options& options = findSection(trimmed(assignment.substr(0, dot)), sections, place);
+  const std::string key = trimmed(assignment.substr(dot + 1, equals - dot - 1));
+  const std::string value = trimmed(assignment.substr(equals + 1));
+  if (where.empty()) {
+    options.set(key, value);
+    return;
+  }
+  try {
+    options.set(key, value);
+  } catch (const UserError& error) {
+    throw UserError(where + ": " + error.what());
+  }
 }
 
 std::string sectionsToText(const std::vector<Options*>& sections) {

@@ -64,6 +64,14 @@ void commitScan(const MappingOptions& options, const std::vector<bool>& movingOw
   record.complete = true;
 }
 
+void previewScan(const MappingOptions& options, const std::vector<bool>& movingOwners,
+                 const ScanRecord& record, StaticMap& map) {
+  const Grouping grouping = groupByOwner(record, options);
+  const ScanReturns returns{record.level, record.intensity, record.sensorPosition};
+  for (std::size_t o = 0; o < record.owners.size(); ++o)
+    if (!movingOwners[o]) map.addPermanent(returns, grouping.of(o));
+}
+
 void updateLedgers(const ScanRecord& record, const std::vector<bool>& movingOwners,
                    StaticMap& map) {
   for (std::size_t o = 1; o < record.owners.size(); ++o)

@@ -47,6 +47,17 @@ std::vector<MapPoint> Pipeline::staticMap() const {
   return stages.map->points();
 }
 
+std::vector<MapPoint> Pipeline::pendingMap() const {
+  const Implementation& stages = *implementation_;
+  std::unique_ptr<StaticMap> map;
+  for (std::size_t i = stages.committed; i < stages.records.size(); ++i) {
+    const ScanRecord& record = stages.records[i];
+    if (!map) map = makeStaticMap(stages.options.mapping, record.sensorPosition);
+    previewScan(stages.options.mapping, stages.judge.live(record, {}), record, *map);
+  }
+  return map ? map->points() : std::vector<MapPoint>();
+}
+
 const std::vector<std::pair<std::string, double>>& Pipeline::stageTimes() const {
   return implementation_->clock.times();
 }

@@ -28,10 +28,11 @@ void copyMap(const mrpt::maps::CPointsMap& map, PointCloud& points) {
   copy(map.getPointsBufferRef_x(), points.x);
   copy(map.getPointsBufferRef_y(), points.y);
   copy(map.getPointsBufferRef_z(), points.z);
-  if (const auto* xyzi = dynamic_cast<const mrpt::maps::CPointsMapXYZI*>(&map))
-    copy(xyzi->getPointsBufferRef_intensity(), points.intensity);
-  else
-    points.intensity.clear();
+  const auto* xyzi = dynamic_cast<const mrpt::maps::CPointsMapXYZI*>(&map);
+  if (!xyzi) points.intensity.clear();
+  // One by one: what MRPT calls its buffer of intensities changes from version to version.
+  for (std::size_t i = 0; i < points.intensity.size(); ++i)
+    points.intensity[i] = xyzi->getPointIntensity_fast(i);
 }
 
 /// MRPT's own search, CRawlog::detectImagesDirectory(), loses the slash after the rawlog's folder.

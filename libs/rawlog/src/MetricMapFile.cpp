@@ -13,17 +13,6 @@ namespace {
 
 constexpr const char* kRemedy = "give a static_map.metricmap of toss map or another MRPT point map";
 
-mrpt::maps::CPointsMapXYZI toMrpt(const std::vector<MapPoint>& points) {
-  mrpt::maps::CPointsMapXYZI map;
-  map.setSize(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    map.setPointFast(i, points[i].x, points[i].y, points[i].z);
-    map.setPointColor_fast(i, points[i].intensity, 0, 0);
-  }
-  map.mark_as_modified();
-  return map;
-}
-
 mrpt::serialization::CSerializable::Ptr readFirstObject(const std::filesystem::path& file) {
   mrpt::io::CFileGZInputStream stream;
   if (!std::filesystem::is_regular_file(file) || !stream.open(file.string()))
@@ -38,8 +27,19 @@ mrpt::serialization::CSerializable::Ptr readFirstObject(const std::filesystem::p
 
 }  // namespace
 
+std::shared_ptr<mrpt::maps::CPointsMapXYZI> toPointsMap(const std::vector<MapPoint>& points) {
+  auto map = mrpt::maps::CPointsMapXYZI::Create();
+  map->setSize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    map->setPointFast(i, points[i].x, points[i].y, points[i].z);
+    map->setPointColor_fast(i, points[i].intensity, 0, 0);
+  }
+  map->mark_as_modified();
+  return map;
+}
+
 void writeMetricMap(const std::filesystem::path& file, const std::vector<MapPoint>& points) {
-  writeObjectFile(file, toMrpt(points));
+  writeObjectFile(file, *toPointsMap(points));
 }
 
 void writeObjectFile(const std::filesystem::path& file,

@@ -18,8 +18,10 @@ void loadSections(const std::filesystem::path& file, const std::vector<Options*>
 void loadSectionsFromText(const std::string& text, const std::string& name,
                           const std::vector<Options*>& sections);
 
-/// Applies one "section.key=value". Throws UserError as above.
-void setOption(const std::string& assignment, const std::vector<Options*>& sections);
+/// Applies one "section.key=value". Throws UserError as above; `where` names the place of the
+/// assignment in errors, "" = the command line's --set.
+void setOption(const std::string& assignment, const std::vector<Options*>& sections,
+               const std::string& where = "");
 
 /// The text of an .ini that holds every option with its value, help, unit, range and source.
 /// Values are written so that reading them back gives the same bits.

@@ -37,6 +37,10 @@ class Pipeline {
   /// The static map by present knowledge: voxel centroids, or every kept return where
   /// map.voxel_size is 0. Map frame [m].
   std::vector<MapPoint> staticMap() const;
+  /// The scans that are not in staticMap() yet, the last few seconds: their returns without those
+  /// of traces that move by what is known now, made into a map of their own. Nothing after
+  /// finish().
+  std::vector<MapPoint> pendingMap() const;
 
   /// Wall time of each stage in the last process() [ms], in order of the stages:
   /// projection, ground, objects, boxes, tracking, visibility, voting, mapping.

@@ -4,13 +4,20 @@
 #include <toss/mapping/VoxelMap.h>
 
 #include <filesystem>
+#include <memory>
 #include <vector>
 
 namespace mrpt::serialization {
 class CSerializable;
 }
+namespace mrpt::maps {
+class CPointsMapXYZI;
+}
 
 namespace toss {
+
+/// The points as MRPT's map class, in the same order.
+std::shared_ptr<mrpt::maps::CPointsMapXYZI> toPointsMap(const std::vector<MapPoint>& points);
 
 /// Writes the points as one gz-serialized mrpt::maps::CPointsMapXYZI, the form in which MRPT's
 /// programs take a point map. Throws UserError where the file can not be written.
