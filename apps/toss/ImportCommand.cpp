@@ -47,6 +47,7 @@ void addImportCommand(CLI::App& program, const Verbosity& verbosity) {
                   "Compress: a quarter smaller, some hundred times slower");
   kitti->callback([request, &verbosity] { import(*request, verbosity.quiet); });
   addImportOuster(*import_, verbosity);
+  addImportVelodyne(*import_, verbosity);
 }
 
 }  // namespace toss

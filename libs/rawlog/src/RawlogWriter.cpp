@@ -53,14 +53,13 @@ struct RawlogWriter::Implementation {
                         "holds " + std::string(what) + " of an earlier log of this name",
                         "remove the folder or choose another name for the rawlog");
     };
-    if (scans == 0 && !labels) check(labelsFolderBeside(finalPath), "labels");
-    if (scans == 0 && !sweeps) check(sweepsFolderBeside(finalPath), "rings and times");
+    if (!labels) check(labelsFolderBeside(finalPath), "labels");
+    if (!sweeps) check(sweepsFolderBeside(finalPath), "rings and times");
   }
 
-  void writeSweep(const PosedScan& scan, const std::string& label) {
-    if (!hasSweep(scan)) return;
-    if (!sweeps) sweeps = std::make_unique<SweepFolderWriter>(finalPath);
-    sweeps->write(scan, label);
+  /// To be called before anything of the scan is written: its folder is none of another log.
+  void prepareFor(const PosedScan& scan) {
+    if (hasSweep(scan) && !sweeps) sweeps = std::make_unique<SweepFolderWriter>(finalPath);
   }
 
   std::filesystem::path finalPath;
@@ -77,10 +76,12 @@ RawlogWriter::RawlogWriter(const std::filesystem::path& file, bool gz)
 RawlogWriter::~RawlogWriter() = default;
 
 void RawlogWriter::write(const mrpt::serialization::CSerializable& object) {
+  if (implementation_->out.getPosition() == 0) implementation_->checkNoForeignFolders();
   implementation_->out.writeObject(object);
 }
 
 void RawlogWriter::write(const PosedScan& scan) {
+  implementation_->prepareFor(scan);
   mrpt::obs::CObservationRobotPose pose;
   pose.sensorLabel = kPoseLabel;
   pose.timestamp = toMrptTime(scan.time);
@@ -90,9 +91,9 @@ void RawlogWriter::write(const PosedScan& scan) {
 }
 
 void RawlogWriter::writeWithoutPose(const PosedScan& scan) {
+  implementation_->prepareFor(scan);
   const std::string label = scan.sensorLabel.empty() ? kLidarLabel : scan.sensorLabel;
-  implementation_->writeSweep(scan, label);
-  implementation_->checkNoForeignFolders();
+  if (hasSweep(scan)) implementation_->sweeps->write(scan, label);
   mrpt::obs::CObservationPointCloud cloud;
   cloud.sensorLabel = label;
   cloud.timestamp = toMrptTime(scan.time);
