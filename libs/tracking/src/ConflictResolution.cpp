@@ -22,10 +22,9 @@ std::size_t targetOf(const AssociationPair& pair) {
 
 /// Ascending distinct values of one member of the pairs.
 template <typename Member>
-std::vector<std::int32_t> distinct(const AssociationPair* begin, const AssociationPair* end,
-                                   Member member) {
+std::vector<std::int32_t> distinct(const Pairs& pairs, Member member) {
   std::vector<std::int32_t> values;
-  for (auto* pair = begin; pair != end; ++pair) values.push_back(pair->*member);
+  for (const auto& pair : pairs) values.push_back(pair.*member);
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
@@ -35,42 +34,78 @@ int positionIn(const std::vector<std::int32_t>& values, std::int32_t value) {
   return static_cast<int>(std::lower_bound(values.begin(), values.end(), value) - values.begin());
 }
 
-void solveComponent(const AssociationPair* begin, const AssociationPair* end, Pairs& chosen) {
-  if (end - begin == 1) return chosen.push_back(*begin);
-  const auto detections = distinct(begin, end, &AssociationPair::detection);
-  const auto targets = distinct(begin, end, &AssociationPair::target);
+/// Cheapest pair of several of one detection or of one target, as solveComponent would choose.
+const AssociationPair& cheapest(const Pairs& pairs) {
+  return *std::min_element(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.cost, a.detection, a.target) < std::tie(b.cost, b.detection, b.target);
+  });
+}
+
+void solveComponent(const Pairs& pairs, Pairs& chosen) {
+  const auto detections = distinct(pairs, &AssociationPair::detection);
+  const auto targets = distinct(pairs, &AssociationPair::target);
+  if (detections.size() == 1 || targets.size() == 1) return chosen.push_back(cheapest(pairs));
   CostMatrix matrix(static_cast<int>(detections.size()), static_cast<int>(targets.size()),
                     std::numeric_limits<double>::infinity());
-  for (auto* pair = begin; pair != end; ++pair) {
-    matrix.at(positionIn(detections, pair->detection), positionIn(targets, pair->target)) =
-        pair->cost;
+  for (const auto& pair : pairs) {
+    matrix.at(positionIn(detections, pair.detection), positionIn(targets, pair.target)) = pair.cost;
   }
   const auto columnOfRow = solveGatedAssignment(matrix);
-  for (auto* pair = begin; pair != end; ++pair) {
-    const auto row = static_cast<std::size_t>(positionIn(detections, pair->detection));
-    if (columnOfRow[row] == positionIn(targets, pair->target)) chosen.push_back(*pair);
+  for (const auto& pair : pairs) {
+    const auto row = static_cast<std::size_t>(positionIn(detections, pair.detection));
+    if (columnOfRow[row] == positionIn(targets, pair.target)) chosen.push_back(pair);
   }
 }
 
-Pairs chooseOptimally(const Pairs& pairs, std::size_t detectionCount, std::size_t targetCount) {
-  ConnectedComponents components(detectionCount + targetCount);
-  for (const auto& pair : pairs) {
-    components.join(detectionOf(pair), detectionCount + targetOf(pair));
-  }
-  Pairs grouped = pairs;
-  const auto component = [&](const AssociationPair& pair) {
-    return components.find(detectionOf(pair));
-  };
-  std::sort(grouped.begin(), grouped.end(), [&](const auto& a, const auto& b) {
-    return std::make_tuple(component(a), a.detection, a.target) <
-           std::make_tuple(component(b), b.detection, b.target);
-  });
+/// Pairs that share neither their detection nor their target with another are chosen at once; the
+/// others come back in `contested`.
+Pairs chooseUncontested(const Pairs& pairs, std::size_t detectionCount, std::size_t targetCount,
+                        Pairs& contested) {
+  std::vector<std::int32_t> ofDetection(detectionCount, 0), ofTarget(targetCount, 0);
+  for (const auto& pair : pairs) ++ofDetection[detectionOf(pair)], ++ofTarget[targetOf(pair)];
   Pairs chosen;
-  for (std::size_t begin = 0, end = 0; begin < grouped.size(); begin = end) {
-    while (end < grouped.size() && component(grouped[end]) == component(grouped[begin])) ++end;
-    solveComponent(grouped.data() + begin, grouped.data() + end, chosen);
+  chosen.reserve(std::min(detectionCount, targetCount));
+  for (const auto& pair : pairs) {
+    const bool alone = ofDetection[detectionOf(pair)] == 1 && ofTarget[targetOf(pair)] == 1;
+    (alone ? chosen : contested).push_back(pair);
   }
   return chosen;
+}
+
+Pairs chooseOptimally(const Pairs& pairs, std::size_t detectionCount, std::size_t targetCount) {
+  constexpr std::size_t kEnd = static_cast<std::size_t>(-1);
+  Pairs contested;
+  Pairs chosen = chooseUncontested(pairs, detectionCount, targetCount, contested);
+  ConnectedComponents components(detectionCount + targetCount);
+  for (const auto& pair : contested) {
+    components.join(detectionOf(pair), detectionCount + targetOf(pair));
+  }
+  // The smallest member of a component is a detection: each has a list of its component's pairs.
+  std::vector<std::size_t> first(detectionCount, kEnd), next(contested.size());
+  for (std::size_t i = contested.size(); i-- > 0;) {
+    std::size_t& head = first[components.find(detectionOf(contested[i]))];
+    next[i] = head, head = i;
+  }
+  Pairs component;
+  for (const std::size_t head : first) {
+    if (head == kEnd) continue;
+    component.clear();
+    for (std::size_t i = head; i != kEnd; i = next[i]) component.push_back(contested[i]);
+    solveComponent(component, chosen);
+  }
+  return chosen;
+}
+
+/// The same pairs by ascending detection, of which each has at most one.
+Pairs byDetection(const Pairs& pairs, std::size_t detectionCount) {
+  constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> pairOf(detectionCount, kNone);
+  for (std::size_t i = 0; i < pairs.size(); ++i) pairOf[detectionOf(pairs[i])] = i;
+  Pairs ordered;
+  ordered.reserve(pairs.size());
+  for (const std::size_t i : pairOf)
+    if (i != kNone) ordered.push_back(pairs[i]);
+  return ordered;
 }
 
 /// Cheapest pair first. Argmin differs in that a detection has one try, with its cheapest trace.
@@ -96,9 +131,7 @@ Pairs resolveConflicts(Pairs pairs, AssignmentMethod method, std::size_t detecti
                      ? chooseOptimally(pairs, detectionCount, targetCount)
                      : chooseInOrder(std::move(pairs), method == AssignmentMethod::Argmin,
                                      detectionCount, targetCount);
-  std::sort(chosen.begin(), chosen.end(),
-            [](const auto& a, const auto& b) { return a.detection < b.detection; });
-  return chosen;
+  return byDetection(chosen, detectionCount);
 }
 
 }  // namespace toss
