@@ -3,6 +3,7 @@
 #include <toss/tracking/LShapeFit.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -18,6 +19,24 @@ struct Span {
   double length() const { return static_cast<double>(high - low); }
   double middle() const { return 0.5 * (static_cast<double>(low) + static_cast<double>(high)); }
 };
+
+/// Interval that some values fill. Four at a time, which the compiler turns into vectors.
+Span rangeOf(const std::vector<float>& values) {
+  std::array<float, 4> low, high;
+  low.fill(values.front()), high.fill(values.front());
+  const std::size_t whole = values.size() / 4 * 4;
+  for (std::size_t i = 0; i < whole; i += 4) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      low[k] = std::min(low[k], values[i + k]);
+      high[k] = std::max(high[k], values[i + k]);
+    }
+  }
+  for (std::size_t i = whole; i < values.size(); ++i) {
+    low[0] = std::min(low[0], values[i]), high[0] = std::max(high[0], values[i]);
+  }
+  return {std::min(std::min(low[0], low[1]), std::min(low[2], low[3])),
+          std::max(std::max(high[0], high[1]), std::max(high[2], high[3]))};
+}
 
 /// Boxes one instance after the other; keeps its memory.
 class InstanceBoxer {
@@ -43,14 +62,17 @@ class InstanceBoxer {
  private:
   void gather(std::int32_t k) {
     const auto slot = static_cast<std::size_t>(k);
-    x_.clear(), y_.clear(), z_.clear();
-    lowest_ = 0;
-    for (std::int32_t m = segmentation_.memberBegin[slot - 1]; m < segmentation_.memberBegin[slot];
-         ++m) {
-      const auto i = static_cast<std::size_t>(segmentation_.members[static_cast<std::size_t>(m)]);
-      if (z_.empty() || points_.z[i] < points_.z[lowest_]) lowest_ = i;
-      x_.push_back(points_.x[i]), y_.push_back(points_.y[i]), z_.push_back(points_.z[i]);
+    const auto begin = static_cast<std::size_t>(segmentation_.memberBegin[slot - 1]);
+    const std::size_t n = static_cast<std::size_t>(segmentation_.memberBegin[slot]) - begin;
+    x_.resize(n), y_.resize(n), z_.resize(n);
+    const std::int32_t* const member = segmentation_.members.data() + begin;
+    float *const x = x_.data(), *const y = y_.data(), *const z = z_.data();
+    for (std::size_t m = 0; m < n; ++m) {
+      const auto i = static_cast<std::size_t>(member[m]);
+      x[m] = points_.x[i], y[m] = points_.y[i], z[m] = points_.z[i];
     }
+    const auto lowest = std::find(z_.begin(), z_.end(), rangeOf(z_).low) - z_.begin();
+    lowest_ = static_cast<std::size_t>(member[lowest]);
   }
 
   Box footprint() {
@@ -113,8 +135,7 @@ class InstanceBoxer {
     const std::size_t n = values.size();
     const auto cut = static_cast<std::ptrdiff_t>(options_.trim * static_cast<double>(n));
     if (cut == 0 || n <= static_cast<std::size_t>(options_.trimPoints)) {
-      const auto [low, high] = std::minmax_element(values.begin(), values.end());
-      return {*low, *high};
+      return rangeOf(values);
     }
     sorted_ = values;
     return {quantile(cut), quantile(static_cast<std::ptrdiff_t>(n) - 1 - cut)};
