@@ -11,12 +11,18 @@ namespace {
 /// row (counting sort).
 std::vector<std::int32_t> candidatesByRow(const RangeImage& image, const Segmentation& segmentation,
                                           float height) {
-  std::vector<std::int32_t> found, begin(static_cast<std::size_t>(image.rows) + 1, 0);
+  std::vector<std::int32_t> found(image.row.size());
+  std::size_t count = 0;
+  // Without branches, as no one could foretell on which side of the height a return lies.
   for (std::size_t point = 0; point < image.row.size(); ++point) {
-    if (segmentation.pointClass[point] != PointClass::Ground) continue;
-    if (!(segmentation.heightAboveGround[point] > height)) continue;
-    found.push_back(static_cast<std::int32_t>(point));
-    ++begin[static_cast<std::size_t>(image.row[point]) + 1];
+    found[count] = static_cast<std::int32_t>(point);
+    count += static_cast<std::size_t>((segmentation.pointClass[point] == PointClass::Ground) &
+                                      (segmentation.heightAboveGround[point] > height));
+  }
+  found.resize(count);
+  std::vector<std::int32_t> begin(static_cast<std::size_t>(image.rows) + 1, 0);
+  for (const std::int32_t point : found) {
+    ++begin[static_cast<std::size_t>(image.row[static_cast<std::size_t>(point)]) + 1];
   }
   for (std::size_t row = 1; row < begin.size(); ++row) begin[row] += begin[row - 1];
   std::vector<std::int32_t> sorted(found.size());

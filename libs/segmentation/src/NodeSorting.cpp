@@ -18,25 +18,41 @@ NodeSorting::NodeSorting(const TriGridField& coarse, const TriGridField& fine, i
 }
 
 void NodeSorting::sort(const LevelPoints& points, const std::vector<PointClass>& pointClass) {
-  const std::size_t n = points.x.size();
-  place_.resize(n);
+  findStretches(points, pointClass);
   begin_.assign(placeOfFine_.size() + 1, 0);
-  // A loop of its own, without branches, that is vectorised.
-  for (std::size_t i = 0; i < n; ++i) place_[i] = fine_.nodeOf(points.x[i], points.y[i]);
-  for (std::size_t i = 0; i < n; ++i) {
-    const bool open = pointClass[i] == PointClass::Unclustered && place_[i] >= 0;
-    place_[i] = open ? placeOfFine_[static_cast<std::size_t>(place_[i])] : -1;
-    if (open) ++begin_[static_cast<std::size_t>(place_[i]) + 1];
-  }
+  for (const Stretch& stretch : stretches_) begin_[stretch.place + 1] += stretch.count();
   for (std::size_t place = 1; place < begin_.size(); ++place) begin_[place] += begin_[place - 1];
   cursor_.assign(begin_.begin(), begin_.end() - 1);
   const auto count = static_cast<std::size_t>(begin_.back());
   x_.resize(count), y_.resize(count), z_.resize(count), original_.resize(count);
+  for (const Stretch& stretch : stretches_) {
+    auto to = static_cast<std::size_t>(cursor_[stretch.place]);
+    cursor_[stretch.place] += stretch.count();
+    for (std::int32_t i = stretch.begin; i < stretch.end; ++i, ++to) {
+      const auto from = static_cast<std::size_t>(i);
+      x_[to] = points.x[from], y_[to] = points.y[from], z_[to] = points.z[from];
+      original_[to] = i;
+    }
+  }
+}
+
+void NodeSorting::findStretches(const LevelPoints& points,
+                                const std::vector<PointClass>& pointClass) {
+  const std::size_t n = points.x.size();
+  node_.resize(n);
+  // Loops of their own, without branches, that are vectorised.
+  for (std::size_t i = 0; i < n; ++i) node_[i] = fine_.nodeOf(points.x[i], points.y[i]);
   for (std::size_t i = 0; i < n; ++i) {
-    if (place_[i] < 0) continue;
-    const auto to = static_cast<std::size_t>(cursor_[static_cast<std::size_t>(place_[i])]++);
-    x_[to] = points.x[i], y_[to] = points.y[i], z_[to] = points.z[i];
-    original_[to] = static_cast<std::int32_t>(i);
+    node_[i] = pointClass[i] == PointClass::Unclustered ? node_[i] : -1;
+  }
+  stretches_.clear();
+  for (std::size_t i = 0; i < n;) {
+    const std::int32_t node = node_[i];
+    const std::size_t begin = i;
+    while (i < n && node_[i] == node) ++i;
+    if (node < 0) continue;
+    stretches_.push_back({static_cast<std::size_t>(placeOfFine_[static_cast<std::size_t>(node)]),
+                          static_cast<std::int32_t>(begin), static_cast<std::int32_t>(i)});
   }
 }
 

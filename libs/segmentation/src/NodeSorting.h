@@ -30,6 +30,13 @@ class NodeSorting {
   int places() const { return static_cast<int>(fineAtPlace_.size()); }
 
  private:
+  /// Consecutive returns of the scan that fall into one place: beams sweep across the nodes.
+  struct Stretch {
+    std::size_t place;
+    std::int32_t begin, end;
+    std::int32_t count() const { return end - begin; }
+  };
+  void findStretches(const LevelPoints& points, const std::vector<PointClass>& pointClass);
   std::size_t begin(int place) const {
     return static_cast<std::size_t>(begin_[static_cast<std::size_t>(place)]);
   }
@@ -42,8 +49,9 @@ class NodeSorting {
   const TriGridField& fine_;
   int share_;
   std::vector<std::int32_t> placeOfFine_, fineAtPlace_;
-  /// Place of each return, -1 for none, shape [n].
-  std::vector<std::int32_t> place_;
+  /// Fine node of each return, -1 for none, shape [n].
+  std::vector<std::int32_t> node_;
+  std::vector<Stretch> stretches_;
   std::vector<std::int32_t> begin_, cursor_, original_;
   std::vector<float> x_, y_, z_;
 };

@@ -24,8 +24,7 @@ class UprightNeighbours {
     const int row = image_.row[point], column = image_.column[point];
     for (int above = row - 1; above >= std::max(0, row - kRows); --above) {
       for (int side = -kColumns; side <= kColumns; ++side) {
-        const int wrapped = (column + side + image_.columns) % image_.columns;
-        const std::int32_t other = image_.at(above, wrapped);
+        const std::int32_t other = image_.at(above, wrapped(column + side));
         if (other == RangeImage::kNone) continue;
         const auto upper = static_cast<std::size_t>(other);
         if (isSteep(upper, point) && accept(upper)) return true;
@@ -40,6 +39,12 @@ class UprightNeighbours {
  private:
   /// Beams above, and columns to either side.
   static constexpr int kRows = 2, kColumns = 1;
+
+  /// A column up to kColumns beyond either end of a row, around the seam.
+  int wrapped(int column) const {
+    if (column < 0) return std::max(0, column + image_.columns);
+    return column < image_.columns ? column : std::max(0, column - image_.columns);
+  }
 
   bool isSteep(std::size_t upper, std::size_t lower) const {
     const float dx = points_.x[upper] - points_.x[lower], dy = points_.y[upper] - points_.y[lower];
