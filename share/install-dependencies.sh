@@ -9,7 +9,7 @@ packages=(
   libopencv-dev libembree-dev libtbb-dev robin-map-dev
   libcli11-dev nlohmann-json3-dev zlib1g-dev liboctomap-dev
   pkg-config libpcap-dev liblzma-dev
-  libgtest-dev libgmock-dev libbenchmark-dev
+  libgtest-dev libgmock-dev libbenchmark-dev valgrind
   libgl1-mesa-dri libegl1
 )
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Time per scan of each stage of segmentation, on the real sequence where it is there and on a flat
-// simulated scan elsewhere.
+// Time per scan of each stage from the projection to the boxes, on the real sequence where it is
+// there and on a flat simulated scan elsewhere.
 #include <benchmark/benchmark.h>
 #include <toss/segmentation/Segmenter.h>
+#include <toss/tracking/BoundingBoxes.h>
 
 #include "../segmentation/GroundTestScene.h"
 #include "../segmentation/RealScans.h"
@@ -29,26 +30,50 @@ std::vector<PosedScan> loadScans() {
   return scans;
 }
 
-void segmentScans(benchmark::State& state) {
-  const std::vector<PosedScan> scans = loadScans();
+Segmenter makeSegmenter() {
   ProjectionOptions projection;
   projection.egoRadius = 2.7;
-  Segmenter segmenter(projection, {}, {}, sensorByName("HDL-64E"));
+  return Segmenter(projection, {}, {}, sensorByName("HDL-64E"));
+}
+
+/// Runs the whole segmentation, as each stage needs those before it, and counts the time of one.
+void segmentation(benchmark::State& state, double Segmenter::StageTimes::*stage) {
+  const std::vector<PosedScan> scans = loadScans();
+  Segmenter segmenter = makeSegmenter();
   SegmentedScan result;
-  Segmenter::StageTimes sum;
   std::size_t next = 0;
   for ([[maybe_unused]] auto _ : state) {
     segmenter.segment(scans[next++ % scans.size()], result);
-    sum.projection += segmenter.times().projection;
-    sum.ground += segmenter.times().ground;
-    sum.objects += segmenter.times().objects;
+    state.SetIterationTime(segmenter.times().*stage * 1e-3);
   }
-  const auto mean = benchmark::Counter::kAvgIterations;
-  state.counters["projection_ms"] = benchmark::Counter(sum.projection, mean);
-  state.counters["ground_ms"] = benchmark::Counter(sum.ground, mean);
-  state.counters["objects_ms"] = benchmark::Counter(sum.objects, mean);
 }
-BENCHMARK(segmentScans)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(segmentation, projection, &Segmenter::StageTimes::projection)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(segmentation, ground, &Segmenter::StageTimes::ground)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(segmentation, objects, &Segmenter::StageTimes::objects)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+
+void boxes(benchmark::State& state, BoxMode mode) {
+  const std::vector<PosedScan> scans = loadScans();
+  Segmenter segmenter = makeSegmenter();
+  std::vector<SegmentedScan> segmented(scans.size());
+  for (std::size_t i = 0; i < scans.size(); ++i) segmenter.segment(scans[i], segmented[i]);
+  BoxOptions options;
+  options.mode = mode;
+  std::vector<Detection> detections;
+  std::size_t next = 0;
+  for ([[maybe_unused]] auto _ : state) {
+    const SegmentedScan& scan = segmented[next++ % scans.size()];
+    detectInstances(scan.level, scan.segmentation, Eigen::Vector3d::Zero(), options, detections);
+    benchmark::DoNotOptimize(detections.data());
+  }
+}
+BENCHMARK_CAPTURE(boxes, aabb, BoxMode::AxisAligned)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(boxes, lshape, BoxMode::LShape)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace toss::test
