@@ -8,7 +8,7 @@ packages=(
   libmrpt-maps-dev libnanoflann-dev
   libopencv-dev libembree-dev libtbb-dev robin-map-dev
   libcli11-dev nlohmann-json3-dev zlib1g-dev liboctomap-dev
-  pkg-config libpcap-dev liblzma-dev
+  pkg-config libpcap-dev liblzma-dev liblzf-dev
   libgtest-dev libgmock-dev libbenchmark-dev valgrind
   libgl1-mesa-dri libegl1
 )

@@ -48,6 +48,7 @@ void addImportCommand(CLI::App& program, const Verbosity& verbosity) {
   kitti->callback([request, &verbosity] { import(*request, verbosity.quiet); });
   addImportOuster(*import_, verbosity);
   addImportVelodyne(*import_, verbosity);
+  addImportPcd(*import_, verbosity);
 }
 
 }  // namespace toss

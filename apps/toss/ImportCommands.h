@@ -8,5 +8,6 @@ namespace toss {
 // Each adds one format to `toss import`.
 void addImportOuster(CLI::App& import_, const Verbosity& verbosity);
 void addImportVelodyne(CLI::App& import_, const Verbosity& verbosity);
+void addImportPcd(CLI::App& import_, const Verbosity& verbosity);
 
 }  // namespace toss

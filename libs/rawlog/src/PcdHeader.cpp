@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <toss/geometry/Error.h>
+#include <charconv>
+#include <cmath>
 
 #include "PointRecords.h"
 
@@ -22,7 +23,7 @@ NumberType pcdType(const std::string& kind, const std::string& size,
 
 /// The lines of a header as they stand there; each is a list of words after its keyword.
 struct PcdHeader {
-  std::vector<std::string> names, sizes, types, counts, data, points, width, height;
+  std::vector<std::string> names, sizes, types, counts, data, points, width, height, viewpoint;
 
   std::vector<std::string>* lineOf(const std::string& keyword) {
     if (keyword == "FIELDS" || keyword == "COLUMNS") return &names;
@@ -33,6 +34,7 @@ struct PcdHeader {
     if (keyword == "POINTS") return &points;
     if (keyword == "WIDTH") return &width;
     if (keyword == "HEIGHT") return &height;
+    if (keyword == "VIEWPOINT") return &viewpoint;
     return nullptr;
   }
 };
@@ -48,6 +50,27 @@ std::uint64_t rowsOf(const PcdHeader& header, const std::filesystem::path& file)
   return rows;
 }
 
+/// "tx ty tz qw qx qy qz"
+std::optional<Eigen::Isometry3d> viewpointOf(const PcdHeader& header,
+                                             const std::filesystem::path& file) {
+  if (header.viewpoint.empty()) return std::nullopt;
+  std::array<double, 7> v{};
+  if (header.viewpoint.size() != v.size()) failReading(file, "its VIEWPOINT is no pose");
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const std::string& word = header.viewpoint[i];
+    const char* const end = word.data() + word.size();
+    const auto [next, error] = std::from_chars(word.data() + (word[0] == '+'), end, v[i]);
+    if (error != std::errc() || next != end || !std::isfinite(v[i]))
+      failReading(file, "its VIEWPOINT is no pose");
+  }
+  const Eigen::Quaterniond turn(v[3], v[4], v[5], v[6]);
+  // Six decimals, as programs write them, leave norms this far from 1.
+  if (std::abs(turn.norm() - 1.0) > 1e-3) failReading(file, "its VIEWPOINT is no pose");
+  Eigen::Isometry3d pose(turn.normalized());
+  pose.translation() << v[0], v[1], v[2];
+  return pose;
+}
+
 PointTable toTable(const PcdHeader& header, const std::filesystem::path& file) {
   const std::size_t fields = header.names.size();
   if (header.sizes.size() != fields || header.types.size() != fields ||
@@ -56,6 +79,8 @@ PointTable toTable(const PcdHeader& header, const std::filesystem::path& file) {
   PointTable table;
   table.rows = rowsOf(header, file);
   table.ascii = header.data[0] == "ascii";
+  table.compressed = header.data[0] == "binary_compressed";
+  table.viewpoint = viewpointOf(header, file);
   for (std::size_t i = 0; i < fields; ++i) {
     const std::uint64_t count =
         header.counts.empty() ? 1 : parseCount(header.counts[i], file, "its COUNT");
@@ -78,11 +103,9 @@ PointTable readPcdHeader(std::istream& in, const std::filesystem::path& file) {
     if (std::vector<std::string>* target = header.lineOf(words[0]))
       target->assign(words.begin() + 1, words.end());
   }
-  if (header.data[0] == "binary_compressed")
-    throw UserError(file.string(), "is a compressed PCD, which is not read",
-                    "convert it: pcl_convert_pcd_ascii_binary IN.pcd OUT.pcd 1");
-  if (header.data[0] != "ascii" && header.data[0] != "binary")
-    failReading(file, "its DATA is neither ascii nor binary");
+  if (header.data[0] != "ascii" && header.data[0] != "binary" &&
+      header.data[0] != "binary_compressed")
+    failReading(file, "its DATA is neither ascii nor binary nor binary_compressed");
   return toTable(header, file);
 }
 

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <sstream>
 
 namespace toss {
 namespace {
@@ -175,7 +176,9 @@ class RowReader {
 }  // namespace
 
 PointRows readRows(std::istream& in, const PointTable& table, const std::filesystem::path& file) {
-  return RowReader(table, file).read(in);
+  if (!table.compressed) return RowReader(table, file).read(in);
+  std::istringstream rows(decompressRows(in, table, file));
+  return RowReader(table, file).read(rows);
 }
 
 }  // namespace toss

@@ -3,6 +3,7 @@
 
 #include <toss/mapping/VoxelMap.h>
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -31,8 +32,12 @@ struct PointTable {
   std::uint64_t rows = 0;
   bool ascii = false;
   bool bigEndian = false;
+  /// PCD "binary_compressed": column after column, as one block of LZF.
+  bool compressed = false;
   /// What has to be added to the coordinates [m], if the file tells.
   std::optional<Eigen::Vector3d> offset;
+  /// VIEWPOINT of a PCD [m]; none where the header has no such line.
+  std::optional<Eigen::Isometry3d> viewpoint;
 };
 
 /// What reading a point file gives.
@@ -48,6 +53,11 @@ PointRows readRows(std::istream& in, const PointTable& table, const std::filesys
 /// Headers of the two formats; `in` is left at the first row.
 PointTable readPlyHeader(std::istream& in, const std::filesystem::path& file);
 PointTable readPcdHeader(std::istream& in, const std::filesystem::path& file);
+
+/// The rows of a compressed PCD as an uncompressed one holds them. Throws UserError where the block
+/// is damaged.
+std::string decompressRows(std::istream& in, const PointTable& table,
+                           const std::filesystem::path& file);
 
 /// Reads a line of a header, without its end; false at the end of the file. Throws UserError for
 /// lines longer than any header has: the file is something else.

@@ -5,6 +5,7 @@
 #include <toss/rawlog/MrptConversion.h>
 #include <toss/rawlog/ObservationPoints.h>
 #include <toss/rawlog/SensorRecognition.h>
+#include <toss/rawlog/SweepFolder.h>
 
 #include <algorithm>
 #include <map>
@@ -24,7 +25,7 @@ using Ticks = PoseBuffer::Ticks;
 class RawlogSurvey {
  public:
   RawlogSurvey(const InputOptions& options, InputSummary& summary)
-      : reader_(summary.path), poses_(options), summary_(summary) {}
+      : reader_(summary.path), sweeps_(summary.path), poses_(options), summary_(summary) {}
 
   void run() {
     std::uint64_t objects = 0;
@@ -77,7 +78,15 @@ class RawlogSurvey {
     stream.pointClouds = true;
     scan_.sensorLabel = observation.sensorLabel;
     if (stream.sensorModel.empty() && stream.count <= 10)
-      stream.sensorModel = recognizeSensor(scan_);
+      stream.sensorModel = modelOf(fromMrptTime(observation.timestamp));
+  }
+
+  /// Name of the sensor that made `scan_`: that of its beams, where they are known.
+  std::string modelOf(double time) {
+    scan_.time = time;
+    scan_.beams = nullptr;
+    sweeps_.addTo(scan_, scan_.sensorLabel);
+    return scan_.beams ? scan_.beams->name : recognizeSensor(scan_);
   }
 
   /// Faults of single observations do not end the survey; the first is told.
@@ -103,6 +112,7 @@ class RawlogSurvey {
   }
 
   RawlogReader reader_;
+  SweepFolder sweeps_;
   RawlogPoses poses_;
   InputSummary& summary_;
   std::map<std::pair<std::string, std::string>, StreamSummary> streams_;

@@ -46,10 +46,11 @@ void writePly(const std::filesystem::path& file, const std::vector<MapPoint>& po
               const Eigen::Vector3d& offset = Eigen::Vector3d::Zero());
 
 /// Reads a map: PLY (binary, either byte order, or ascii; any order of properties of any number
-/// type), PCD (binary or ascii) or a .metricmap of MRPT; found out from the content. Intensity is
-/// taken from intensity, scalar_intensity, reflectance, reflectivity or remission, else 0. Points
-/// that are not finite are left out. The VIEWPOINT of a PCD is not applied (as PCL does not).
-/// Throws UserError naming file and place for anything damaged or of another format.
+/// type), PCD (binary, compressed or ascii) or a .metricmap of MRPT; found out from the content.
+/// Intensity is taken from intensity, scalar_intensity, reflectance, reflectivity or remission,
+/// else 0. Points that are not finite are left out. The VIEWPOINT of a PCD is not applied, as PCL
+/// does not (PcdFile.h tells it). Throws UserError naming file and place for anything damaged or of
+/// another format.
 std::vector<MapPoint> readPointCloudFile(const std::filesystem::path& file);
 
 /// The same, with coordinates relative to `offset` [m, map frame], which is that of the file; where
