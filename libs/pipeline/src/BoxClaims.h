@@ -4,6 +4,7 @@
 #include <toss/geometry/Box.h>
 #include <toss/segmentation/Segmentation.h>
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <vector>
 
@@ -27,12 +28,18 @@ class BoxClaims {
   /// lower than this over the ground stay ground.
   BoxClaims(double margin, double residueHeight) : margin_(margin), residueHeight_(residueHeight) {}
 
-  /// Number of the claimant of each return or -1, shape [n]; the smallest box wins.
+  /// A return that a box has claimed: their numbers.
+  struct Claim {
+    std::int32_t point, claimant;
+  };
+
+  /// Replaces `claims` by those of all returns, outside instances first; the smallest box
+  /// wins.
   /// `sensorPosition`: origin of the level frame in the map. `standing`: whether instance k may be
   /// cut, shape [instanceCount + 1].
   void find(const LevelPoints& points, const Segmentation& segmentation,
             const std::vector<Claimant>& claimants, const Eigen::Vector3d& sensorPosition,
-            const std::vector<bool>& standing, std::vector<std::int32_t>& claimOfPoint);
+            const std::vector<bool>& standing, std::vector<Claim>& claims);
 
  private:
   /// Upright box in the level frame, ready to be tested.
@@ -44,14 +51,24 @@ class BoxClaims {
   struct Entry {
     std::int32_t box, next;
   };
+  void enterAll(const std::vector<Claimant>& claimants, const Eigen::Vector3d& sensorPosition);
   void enter(const Claimant& claimant, std::int32_t number, const Eigen::Vector3d& sensorPosition);
-  bool isClaimable(const Segmentation& segmentation, std::size_t point) const;
+  void collectOutsideInstances(const Segmentation& segmentation);
+  void collectInInstances(const LevelPoints& points, const Segmentation& segmentation,
+                          const std::vector<bool>& standing);
   std::int32_t claimOf(float x, float y, float z, bool fromInstance) const;
 
   double margin_, residueHeight_;
   std::vector<Footprint> footprints_;
+  /// Holds all footprints that cut instances; level frame [m].
+  Eigen::AlignedBox2f cutExtent_;
+  /// First entry of each cell, -1 where there is none, shape [kCells * kCells].
   std::vector<std::int32_t> grid_;
   std::vector<Entry> entries_;
+  /// Cells that have entries.
+  std::vector<std::size_t> usedCells_;
+  /// Returns that a box may claim.
+  std::vector<std::int32_t> claimable_;
 };
 
 }  // namespace toss

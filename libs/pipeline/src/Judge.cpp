@@ -34,7 +34,7 @@ void Judge::findLoneMovers(const EvidenceCells& cells, ScanRecord& record) const
     const auto cell = static_cast<std::size_t>(cells.loneCell[i]);
     const int freeViews = cells.past.freeViews[cell] + cells.later.freeViews[cell];
     if (!isHit(cells, cell) && freeViews >= options_.loneFreeViews)
-      record.loneMover[static_cast<std::size_t>(cells.lonePoint[i])] = true;
+      record.loneMovers.push_back(cells.lonePoint[i]);
   }
 }
 

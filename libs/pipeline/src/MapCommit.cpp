@@ -4,9 +4,8 @@
 namespace toss {
 namespace {
 
-bool belongsInMap(const ScanRecord& record, std::size_t point, const MappingOptions& options) {
-  if (record.loneMover[point]) return false;
-  switch (record.pointClass[point]) {
+bool belongsInMap(PointClass pointClass, const MappingOptions& options) {
+  switch (pointClass) {
     case PointClass::Invalid:
       return false;
     case PointClass::BelowGround:
@@ -32,15 +31,18 @@ Grouping groupByOwner(const ScanRecord& record, const MappingOptions& options) {
   Grouping grouping;
   grouping.begin.assign(record.owners.size() + 1, 0);
   const std::size_t n = record.owner.size();
+  const std::vector<bool> loneMover = record.loneMoverMarks();
+  const auto belongs = [&](std::size_t i) {
+    return !loneMover[i] && belongsInMap(record.pointClass[i], options);
+  };
   for (std::size_t i = 0; i < n; ++i)
-    if (belongsInMap(record, i, options))
-      ++grouping.begin[static_cast<std::size_t>(record.owner[i]) + 1];
+    if (belongs(i)) ++grouping.begin[static_cast<std::size_t>(record.owner[i]) + 1];
   for (std::size_t o = 1; o < grouping.begin.size(); ++o)
     grouping.begin[o] += grouping.begin[o - 1];
   grouping.points.resize(static_cast<std::size_t>(grouping.begin.back()));
   std::vector<std::int32_t> next(grouping.begin.begin(), grouping.begin.end() - 1);
   for (std::size_t i = 0; i < n; ++i)
-    if (belongsInMap(record, i, options)) {
+    if (belongs(i)) {
       std::int32_t& slot = next[static_cast<std::size_t>(record.owner[i])];
       grouping.points[static_cast<std::size_t>(slot++)] = static_cast<std::int32_t>(i);
     }
@@ -59,8 +61,6 @@ void commitScan(const MappingOptions& options, const std::vector<bool>& movingOw
   for (std::size_t o = 1; o < record.owners.size(); ++o)
     map.addBox(record.firstLedger + o, record.owners[o].track, returns, grouping.of(o),
                movingOwners[o]);
-  record.level = LevelPoints();
-  record.intensity = std::vector<float>();
   record.complete = true;
 }
 

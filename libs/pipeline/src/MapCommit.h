@@ -8,8 +8,8 @@
 namespace toss {
 
 /// Enters the returns of a scan into the static map once all views have testified: each owner's
-/// under a ledger of its own, what nobody owns for good. Sets record.firstLedger from `nextLedger`
-/// and drops the record's coordinates.
+/// under a ledger of its own, what nobody owns for good. Sets record.firstLedger from `nextLedger`;
+/// the record's coordinates are needed no more.
 void commitScan(const MappingOptions& options, const std::vector<bool>& movingOwners,
                 ScanRecord& record, BoxId& nextLedger, StaticMap& map);
 

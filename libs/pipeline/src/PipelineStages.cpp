@@ -101,6 +101,7 @@ void Pipeline::Implementation::commitComplete(bool all) {
     ScanRecord& record = records[committed++];
     if (!map) map = makeStaticMap(options.mapping, record.sensorPosition);
     commitScan(options.mapping, judge.final(record, false), record, nextLedger, *map);
+    builder.reuseReturns(record);
   };
   if (options.visibility.enabled) {
     for (const EvidenceCells& cells : witness.takeComplete(all)) {
@@ -127,6 +128,7 @@ void Pipeline::Implementation::settleFirst() {
       settled.back());
   for (const Owner& owner : record.owners)
     if (owner.votes) voting.release(owner.box);
+  builder.reuseOwners(record);
   records.pop_front();
   --committed;
   forgetOld();

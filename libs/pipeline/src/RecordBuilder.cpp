@@ -2,6 +2,7 @@
 #include "RecordBuilder.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace toss {
 namespace {
@@ -10,6 +11,16 @@ const Track* findTrack(const std::vector<Track>& tracks, TrackId id) {
   const auto found = std::lower_bound(tracks.begin(), tracks.end(), id,
                                       [](const Track& t, TrackId wanted) { return t.id < wanted; });
   return found != tracks.end() && found->id == id ? &*found : nullptr;
+}
+
+/// Memory fresh from the system costs more than what is written into it.
+template <typename T>
+void copyIntoSpare(const T& source, std::vector<T>& spares, T& target) {
+  if (!spares.empty()) {
+    target = std::move(spares.back());
+    spares.pop_back();
+  }
+  target = source;
 }
 
 }  // namespace
@@ -43,10 +54,20 @@ void RecordBuilder::addClaims(const SegmentedScan& segmented,
     record.owners.push_back(owner);
   }
   claims_.find(segmented.level, segmented.segmentation, claimants, record.sensorPosition, standing,
-               claimOfPoint_);
+               foundClaims_);
   const std::int32_t firstClaim = segmented.segmentation.instanceCount + 1;
-  for (std::size_t i = 0; i < claimOfPoint_.size(); ++i)
-    if (claimOfPoint_[i] >= 0) record.owner[i] = firstClaim + claimOfPoint_[i];
+  for (const BoxClaims::Claim& claim : foundClaims_)
+    record.owner[static_cast<std::size_t>(claim.point)] = firstClaim + claim.claimant;
+}
+
+void RecordBuilder::reuseReturns(ScanRecord& record) {
+  spareLevels_.push_back(std::exchange(record.level, {}));
+  spareIntensities_.push_back(std::exchange(record.intensity, {}));
+}
+
+void RecordBuilder::reuseOwners(ScanRecord& record) {
+  spareClasses_.push_back(std::exchange(record.pointClass, {}));
+  spareOwners_.push_back(std::exchange(record.owner, {}));
 }
 
 ScanRecord RecordBuilder::build(const PosedScan& scan, const SegmentedScan& segmented,
@@ -55,11 +76,10 @@ ScanRecord RecordBuilder::build(const PosedScan& scan, const SegmentedScan& segm
   record.scan = scan.index;
   record.time = scan.time;
   record.sensorPosition = scan.mapFromSensor.translation();
-  record.pointClass = segmented.segmentation.pointClass;
-  record.owner = segmented.segmentation.instance;
-  record.loneMover.assign(record.owner.size(), false);
-  record.level = segmented.level;
-  record.intensity = scan.points.intensity;
+  copyIntoSpare(segmented.segmentation.pointClass, spareClasses_, record.pointClass);
+  copyIntoSpare(segmented.segmentation.instance, spareOwners_, record.owner);
+  copyIntoSpare(segmented.level, spareLevels_, record.level);
+  copyIntoSpare(scan.points.intensity, spareIntensities_, record.intensity);
   record.owners.resize(static_cast<std::size_t>(segmented.segmentation.instanceCount) + 1);
   addInstances(detections, tracker, record);
   if (claiming_) addClaims(segmented, detections, tracker, record);

@@ -21,6 +21,12 @@ class RecordBuilder {
   ScanRecord build(const PosedScan& scan, const SegmentedScan& segmented,
                    const std::vector<Detection>& detections, const Tracker& tracker);
 
+  /// Takes the memory of the returns for a later scan: `record` is in the map and needs its
+  /// coordinates and intensities no more.
+  void reuseReturns(ScanRecord& record);
+  /// The same for the owners and classes of a settled scan.
+  void reuseOwners(ScanRecord& record);
+
  private:
   void addInstances(const std::vector<Detection>& detections, const Tracker& tracker,
                     ScanRecord& record) const;
@@ -29,7 +35,12 @@ class RecordBuilder {
 
   bool claiming_;
   BoxClaims claims_;
-  std::vector<std::int32_t> claimOfPoint_;
+  std::vector<BoxClaims::Claim> foundClaims_;
+  /// Memory of scans that need it no more.
+  std::vector<LevelPoints> spareLevels_;
+  std::vector<std::vector<float>> spareIntensities_;
+  std::vector<std::vector<PointClass>> spareClasses_;
+  std::vector<std::vector<std::int32_t>> spareOwners_;
 };
 
 /// The boxes of a scan as DS-Voting takes them, in the order of their owners, which learn their

@@ -2,6 +2,22 @@
 #include "ScanLabeling.h"
 
 namespace toss {
+namespace {
+
+/// What all valid returns of an owner get.
+struct OwnerLabel {
+  PointState state;
+  std::uint32_t track;
+};
+
+/// Ground that no moving trace claims is nobody's.
+OwnerLabel ownerLabel(const Owner& owner, bool moving) {
+  const bool owned = owner.instance || moving;
+  return {moving ? PointState::Moving : PointState::Static,
+          owned ? static_cast<std::uint32_t>(owner.track) : 0};
+}
+
+}  // namespace
 
 void labelScan(const ScanRecord& record, const std::vector<bool>& movingOwners,
                const std::function<bool(TrackId)>& isMovingTrack, ScanLabels& labels) {
@@ -10,15 +26,21 @@ void labelScan(const ScanRecord& record, const std::vector<bool>& movingOwners,
   labels.time = record.time;
   labels.state.resize(n);
   labels.track.resize(n);
+  std::vector<OwnerLabel> labelOf;
+  labelOf.reserve(record.owners.size());
+  for (std::size_t o = 0; o < record.owners.size(); ++o)
+    labelOf.push_back(ownerLabel(record.owners[o], movingOwners[o]));
   for (std::size_t i = 0; i < n; ++i) {
-    const auto owner = static_cast<std::size_t>(record.owner[i]);
-    // Ground that no moving trace claims is nobody's.
-    const bool moving = movingOwners[owner] || record.loneMover[i];
-    const bool owned = record.owners[owner].instance || moving;
-    labels.state[i] = record.pointClass[i] == PointClass::Invalid ? PointState::Invalid
-                      : moving                                    ? PointState::Moving
-                                                                  : PointState::Static;
-    labels.track[i] = owned ? static_cast<std::uint32_t>(record.owners[owner].track) : 0;
+    const OwnerLabel label = labelOf[static_cast<std::size_t>(record.owner[i])];
+    const bool valid = record.pointClass[i] != PointClass::Invalid;
+    labels.state[i] = valid ? label.state : PointState::Invalid;
+    labels.track[i] = label.track;
+  }
+  for (const std::int32_t point : record.loneMovers) {
+    const auto i = static_cast<std::size_t>(point);
+    const Owner& owner = record.owners[static_cast<std::size_t>(record.owner[i])];
+    labels.state[i] = PointState::Moving;
+    labels.track[i] = ownerLabel(owner, true).track;
   }
   labels.tracks = record.tracks;
   for (TrackSample& sample : labels.tracks) sample.moving = isMovingTrack(sample.track);

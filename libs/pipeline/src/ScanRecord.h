@@ -34,8 +34,8 @@ struct ScanRecord {
   /// Shape [n]: class, and owner (index into `owners`).
   std::vector<PointClass> pointClass;
   std::vector<std::int32_t> owner;
-  /// Returns that move although nothing that owns them does, shape [n]; set with the evidence.
-  std::vector<bool> loneMover;
+  /// Returns that move although nothing that owns them does, ascending; set with the evidence.
+  std::vector<std::int32_t> loneMovers;
   /// owners[0] is nobody; instance k is owners[k]; claims follow.
   std::vector<Owner> owners;
   /// Ledger of owners[0] in the static map; the others follow.
@@ -46,6 +46,13 @@ struct ScanRecord {
   bool complete = false;
   LevelPoints level;
   std::vector<float> intensity;
+
+  /// `loneMovers` as marks, shape [n].
+  std::vector<bool> loneMoverMarks() const {
+    std::vector<bool> marks(owner.size(), false);
+    for (const std::int32_t point : loneMovers) marks[static_cast<std::size_t>(point)] = true;
+    return marks;
+  }
 };
 
 }  // namespace toss
