@@ -44,6 +44,7 @@ void writeSummary(const MapRequest& request, RunConfiguration& configuration,
   json["scans"] = {{"mapped", counts.scans},
                    {"skipped_for_pose", input.skippedForPose},
                    {"skipped_for_time", input.skippedForTime},
+                   {"deskewed", input.deskewed},
                    {"empty", input.empty}};
   json["points"] = {{"read", counts.points},
                     {"invalid", counts.invalid},

@@ -35,7 +35,9 @@ void writeLog(const fs::path& file, const std::vector<PosedScan>& scans) {
 TEST(SweepFolder, ScansComeBackAsTheyWent) {
   TemporaryFolder folder;
   writeLog(folder / "a.rawlog", {scanWithSweep(0), scanWithSweep(1)});
-  const ReadInput read = readInput(folder / "a.rawlog");
+  InputOptions asStored;
+  asStored.deskew = Deskew::Off;
+  const ReadInput read = readInput(folder / "a.rawlog", asStored);
   ASSERT_EQ(read.scans.size(), 2u);
   EXPECT_TRUE(read.report.warnings.empty());
   for (std::size_t i = 0; i < 2; ++i) {

@@ -38,6 +38,11 @@ void InputOptions::visit(OptionVisitor& visitor) {
   visitor.real({"scan_period", "s", "Time between scans of a KITTI folder without times.txt.",
                 "KITTI: 10 Hz"},
                scanPeriod, 1e-4, 3600.0);
+  visitor.choice({"deskew", "",
+                  "Compensation of the sensor's motion during a sweep: auto where returns have "
+                  "times, poses lie around the sweep and the log does not say that it is done.",
+                  own},
+                 deskew, {"auto", "off"});
 }
 
 }  // namespace toss

@@ -20,6 +20,8 @@ void readPoints(mrpt::obs::CObservation& observation, const std::filesystem::pat
   if (!holdsPoints(observation))
     throw std::logic_error("readPoints: an observation that holds no points");
   scan.sensorModel.clear();
+  scan.beams = nullptr;
+  scan.motionCompensated = false;
   if (IS_CLASS(observation, mrpt::obs::CObservationPointCloud)) {
     readCloudPoints(observation, rawlog, place, scan);
     return;

@@ -22,6 +22,11 @@ class PoseBuffer {
   /// The pose at `time`: the one that was added for it, bit for bit; else between the two around
   /// it, position linear and rotation by SLERP. None where one of the two is missing or too far.
   std::optional<Eigen::Isometry3d> at(Ticks time) const;
+  /// The same; beyond the first or last pose, at most `maxGap` away, by the motion between the two
+  /// poses that are nearest there, which may lie twice as far apart.
+  std::optional<Eigen::Isometry3d> around(Ticks time) const;
+  /// Whether there is a pose at `time` or later.
+  bool reaches(Ticks time) const { return !poses_.empty() && poses_.rbegin()->first >= time; }
   /// Whether a pose that makes at(time) succeed may still come, poses coming in order of time.
   bool mayStillCome(Ticks time) const;
   /// By ascending time.
@@ -34,7 +39,8 @@ class PoseBuffer {
   std::map<Ticks, Eigen::Isometry3d> poses_;
 };
 
-/// Position linear, rotation by SLERP; `share` = 0 gives `a`, 1 gives `b`.
+/// Position linear, rotation by SLERP; `share` = 0 gives `a`, 1 gives `b`, beyond them the motion
+/// goes on.
 Eigen::Isometry3d interpolate(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double share);
 
 }  // namespace toss

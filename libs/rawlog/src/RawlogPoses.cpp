@@ -107,6 +107,14 @@ std::optional<Eigen::Isometry3d> RawlogPoses::at(Ticks scanTime) const {
   return buffer_.at(scanTime + offset_);
 }
 
+std::optional<Eigen::Isometry3d> RawlogPoses::around(Ticks time) const {
+  return buffer_.around(time + offset_);
+}
+
+bool RawlogPoses::reaches(Ticks time) const {
+  return buffer_.reaches(time + offset_);
+}
+
 bool RawlogPoses::mayStillCome(Ticks scanTime) const {
   return buffer_.mayStillCome(scanTime + offset_);
 }

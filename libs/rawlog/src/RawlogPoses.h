@@ -33,7 +33,9 @@ class RawlogPoses {
 
   /// Pose at the time of a scan, options.timeOffset applied; see PoseBuffer.
   std::optional<Eigen::Isometry3d> at(Ticks scanTime) const;
+  std::optional<Eigen::Isometry3d> around(Ticks time) const;
   bool mayStillCome(Ticks scanTime) const;
+  bool reaches(Ticks time) const;
   void forgetBefore(Ticks scanTime);
   /// To be told of scans that were skipped, for noticing poses that come too late for them.
   void scanSkipped(Ticks scanTime) { lastSkipped_ = scanTime + offset_; }

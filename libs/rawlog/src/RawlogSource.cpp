@@ -11,7 +11,10 @@
 #include <toss/rawlog/ObservationPoints.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+
+#include "Deskew.h"
 
 namespace toss {
 namespace {
@@ -24,6 +27,13 @@ bool isOtherRangeScan(const CObservation& observation) {
   return IS_CLASS(observation, mrpt::obs::CObservation2DRangeScan) ||
          IS_CLASS(observation, mrpt::obs::CObservation3DRangeScan) ||
          IS_CLASS(observation, mrpt::obs::CObservationRotatingScan);
+}
+
+/// Returns may be measured before their scan's time stamp [ticks].
+constexpr Ticks kLongestSweep = 10'000'000;
+
+Ticks toTicks(double seconds) {
+  return std::llround(seconds * 1e7);
 }
 
 std::string toText(Ticks time) {
@@ -60,15 +70,19 @@ bool RawlogSource::next(PosedScan& scan) {
       readMore();
       continue;
     }
-    const Waiting front = std::move(waiting_.front());
-    waiting_.pop_front();
-    poses_.forgetBefore(front.time);
     if (decision == Decision::Deliver) {
-      deliver(front, *pose, scan);
-      return true;
+      if (!loaded_) load(waiting_.front(), *pose, scan);
+      loaded_ = true;
+      if (sweepGoesOn(waiting_.front(), scan) && readMore()) continue;
+      loaded_ = false;
+      finish(waiting_.front(), scan);
+    } else {
+      poses_.scanSkipped(waiting_.front().time);
+      ++report_.skippedForPose;
     }
-    poses_.scanSkipped(front.time);
-    ++report_.skippedForPose;
+    poses_.forgetBefore(waiting_.front().time - kLongestSweep);
+    waiting_.pop_front();
+    if (decision == Decision::Deliver) return true;
   }
 }
 
@@ -134,16 +148,29 @@ void RawlogSource::takeScan(const CObservation::Ptr& observation) {
   waiting_.push_back({observation, index, time, reader_.place()});
 }
 
-void RawlogSource::deliver(const Waiting& from, const Eigen::Isometry3d& mapFromRobot,
-                           PosedScan& scan) {
+void RawlogSource::load(const Waiting& from, const Eigen::Isometry3d& mapFromRobot,
+                        PosedScan& scan) {
   readPoints(*from.observation, reader_.file(), from.place, scan);
   placeScan(*from.observation, mapFromRobot, from.place, scan);
   scan.index = from.index;
-  scan.beams = nullptr;
-  scan.motionCompensated = false;
-  if (!sweeps_.addTo(scan, from.observation->sensorLabel)) ++withoutSweep_;
+  const bool fromPackets = !scan.points.ring.empty();
+  if (!fromPackets && !sweeps_.addTo(scan, from.observation->sensorLabel)) ++withoutSweep_;
   scan.sensorModel = sensor_.modelOf(scan);
   countScan(scan.points, report_);
+}
+
+/// Poses later in the log still belong to the sweep.
+bool RawlogSource::sweepGoesOn(const Waiting& from, const PosedScan& scan) const {
+  if (options_.deskew == Deskew::Off || scan.motionCompensated || scan.points.time.empty())
+    return false;
+  const bool full = waiting_.size() > static_cast<std::size_t>(options_.lookAhead);
+  return !ended_ && !full &&
+         !poses_.reaches(from.time + toTicks(static_cast<double>(sweepEnd(scan.points))));
+}
+
+void RawlogSource::finish(const Waiting& from, PosedScan& scan) {
+  if (options_.deskew == Deskew::Off || scan.motionCompensated || scan.points.time.empty()) return;
+  ++(deskew(poses_, from.time, scan) ? report_.deskewed : report_.notDeskewed);
 }
 
 void RawlogSource::failAtEnd() const {
@@ -193,6 +220,10 @@ const InputReport& RawlogSource::report() const {
          std::to_string(options_.maxPoseGap) + " s before and after them (input.max_pose_gap)");
   if (withoutTime_ > 0)
     warn(std::to_string(withoutTime_) + " scans were skipped, they have no time stamp");
+  if (report_.notDeskewed > 0)
+    warn(std::to_string(report_.notDeskewed) +
+         " scans could not be compensated for the sensor's motion, two poses around them are "
+         "needed (input.max_pose_gap, input.deskew)");
   if (withoutSweep_ > 0)
     warn(std::to_string(withoutSweep_) +
          " scans have no rings and times, although the log has a folder of them; copy the folder "

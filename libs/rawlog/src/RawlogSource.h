@@ -42,7 +42,9 @@ class RawlogSource : public ScanSource {
   void take(const mrpt::obs::CObservation::Ptr& observation);
   void takeScan(const mrpt::obs::CObservation::Ptr& observation);
   Decision decide(const Waiting& front, std::optional<Eigen::Isometry3d>& pose) const;
-  void deliver(const Waiting& from, const Eigen::Isometry3d& mapFromRobot, PosedScan& scan);
+  void load(const Waiting& from, const Eigen::Isometry3d& mapFromRobot, PosedScan& scan);
+  bool sweepGoesOn(const Waiting& from, const PosedScan& scan) const;
+  void finish(const Waiting& from, PosedScan& scan);
   void failAtEnd() const;
   [[noreturn]] void failWithoutScans() const;
 
@@ -52,6 +54,8 @@ class RawlogSource : public ScanSource {
   RawlogPoses poses_;
   std::deque<Waiting> waiting_;
   bool ended_ = false;
+  /// Whether the scan that waits first has been loaded.
+  bool loaded_ = false;
   /// What is wrong with the file where reading it ended, "" if nothing.
   std::string damage_;
   std::uint64_t nextIndex_ = 0;

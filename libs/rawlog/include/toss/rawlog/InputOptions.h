@@ -13,6 +13,12 @@ enum class PoseSource {
   Odometry       ///< CObservationOdometry, or the increments of an action/sensory-frame log
 };
 
+/// What is done about the motion of the sensor while it sweeps.
+enum class Deskew {
+  Auto,  ///< compensated where returns have times, poses lie around the sweep, and it is not yet
+  Off    ///< never
+};
+
 /// How inputs are read. Section "input".
 struct InputOptions : Options {
   /// Label of the sensor whose scans are read; "" = the first one met.
@@ -28,6 +34,9 @@ struct InputOptions : Options {
   int lookAhead = 64;
   /// Time between scans of a KITTI folder that has no times.txt [s].
   double scanPeriod = 0.1;
+
+  /// Compensation of the sensor's motion during a sweep.
+  Deskew deskew = Deskew::Auto;
 
   const char* section() const override { return "input"; }
   void visit(OptionVisitor& visitor) override;

@@ -13,8 +13,10 @@ namespace toss {
 bool holdsPoints(const mrpt::obs::CObservation& observation);
 
 /// Reads the points of an observation into `scan.points`, in the observation's order; for Velodyne
-/// packets that of generatePointCloud() with its default parameters. `scan.sensorModel` is set
-/// where the observation tells the model, else "". `rawlog`: where external files are looked for
+/// packets that of generatePointCloud() with its default parameters, and behind them, in the same
+/// order, the returns that MRPT 2.5.8 leaves out (the second 16 of each block). `scan.sensorModel`
+/// and `scan.beams` are set where the observation tells them, else "" and null;
+/// `scan.motionCompensated` becomes false. `rawlog`: where external files are looked for
 /// (<stem>_Images beside it). `place`: names the observation in errors. Throws UserError if an
 /// external file is missing or damaged, std::logic_error if !holdsPoints(observation).
 void readPoints(mrpt::obs::CObservation& observation, const std::filesystem::path& rawlog,

@@ -19,6 +19,9 @@ struct InputReport {
   std::uint64_t scans = 0, skippedForPose = 0, empty = 0;
   /// Scans skipped because they are not later than the one before; scans of other sensors.
   std::uint64_t skippedForTime = 0, otherSensors = 0;
+  /// Scans whose returns were put where they are seen from one pose (input.deskew), and scans that
+  /// have times for it but too few poses around them.
+  std::uint64_t deskewed = 0, notDeskewed = 0;
   /// Returns delivered in all, and of them not finite.
   std::uint64_t points = 0, notFinite = 0;
   /// Plain sentences for the user, each once: what is odd about the input and what to do.
