@@ -56,6 +56,20 @@ void gatherPixel(const Scan& scan, float pixelMerge, int column, std::int32_t he
   }
 }
 
+void gatherRow(const Scan& scan, float pixelMerge, int row, ObjectNodes& result) {
+  const std::int32_t* const heads = scan.image.representative.data() + scan.image.pixel(row, 0);
+  const std::int32_t* const next = scan.image.next.data();
+  for (int column = 0; column < scan.image.columns; ++column) {
+    const std::int32_t head = heads[column];
+    if (head == RangeImage::kNone) continue;
+    if (next[head] != RangeImage::kNone) {
+      gatherPixel(scan, pixelMerge, column, head, result);
+    } else if (scan.isCandidate(static_cast<std::size_t>(head))) {
+      addNode(head, column, result);
+    }
+  }
+}
+
 void clear(ObjectNodes& nodes) {
   nodes.point.clear(), nodes.column.clear(), nodes.returns.clear();
   nodes.rowBegin.assign(1, 0);
@@ -105,17 +119,7 @@ void gatherNodes(const LevelPoints& points, const RangeImage& image,
   clear(result);
   const Scan scan{points, image, segmentation};
   for (int row = 0; row < image.rows; ++row) {
-    const std::int32_t* const heads = image.representative.data() + image.pixel(row, 0);
-    for (int column = 0; column < image.columns; ++column) {
-      const std::int32_t head = heads[column];
-      if (head == RangeImage::kNone) continue;
-      const auto i = static_cast<std::size_t>(head);
-      if (image.next[i] != RangeImage::kNone) {
-        gatherPixel(scan, pixelMerge, column, head, result);
-      } else if (scan.isCandidate(i)) {
-        addNode(head, column, result);
-      }
-    }
+    gatherRow(scan, pixelMerge, row, result);
     result.rowBegin.push_back(static_cast<std::int32_t>(result.size()));
   }
   const std::size_t n = result.size();

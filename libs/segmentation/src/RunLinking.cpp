@@ -92,7 +92,17 @@ void RunLinking::sweep(Span runs, Span others, Index shift, bool within) {
 
 /// Unites two runs if any of their nodes are linked.
 void RunLinking::link(Index a, Index b, Index shift) {
-  if (sets_.find(a) != sets_.find(b) && touches(a, b, shift)) sets_.unite(a, b);
+  if (sets_.find(a) == sets_.find(b) || apart(a, b) || !touches(a, b, shift)) return;
+  sets_.unite(a, b);
+}
+
+bool RunLinking::apart(Index a, Index b) const {
+  const Component& one = runs_.measures[at(a)];
+  const Component& other = runs_.measures[at(b)];
+  const float dx = std::max(std::max(one.minX - other.maxX, other.minX - one.maxX), 0.0f);
+  const float dy = std::max(std::max(one.minY - other.maxY, other.minY - one.maxY), 0.0f);
+  const float limit = std::max(std::min(limits_.ofRun[a], limits_.ofRun[b]), limits_.surface);
+  return dx * dx + dy * dy >= limit * limit;
 }
 
 bool RunLinking::touches(Index a, Index b, Index shift) const {

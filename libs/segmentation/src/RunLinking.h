@@ -46,6 +46,8 @@ class RunLinking {
   /// row (`within`), each pair is looked at once.
   void sweep(Span runs, Span others, Index shift, bool within = false);
   void link(Index a, Index b, Index shift);
+  /// Whether the rectangles around two runs are too far apart for any of their nodes to be linked.
+  bool apart(Index a, Index b) const;
   bool touches(Index a, Index b, Index shift) const;
   bool linkedNodes(std::size_t a, std::size_t b, Index columnGap) const;
 

@@ -96,10 +96,11 @@ void TerrainFit::extend(VertexHeights& heights) {
 
 void TerrainFit::add(int node, const NodePoints& points, const VertexHeights& heights, float gate,
                      const UprightNeighbours* upright) {
+  if (points.count == 0) return;
   NodeSums sums{field_.verticesOf(node), {}, {}};
   const float h0 = heights[at(sums.vertices[0])], h1 = heights[at(sums.vertices[1])];
   const float h2 = heights[at(sums.vertices[2])];
-  if (points.count == 0 || std::isnan(h0 + h1 + h2)) return;
+  if (std::isnan(h0 + h1 + h2)) return;
 
   const Eigen::Vector2f& centre = field_.vertexPosition(sums.vertices[2]);
   const float halfSides = 2.0f / field_.cellSize();
