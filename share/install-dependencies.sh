@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what TOSS needs to be built, tested and run on Debian 12. Needs root or sudo; does
-# nothing where everything is there already.
+# nothing where everything is there already. With --viewer, also what toss-viewer needs.
 set -euo pipefail
 
 packages=(
@@ -11,7 +11,9 @@ packages=(
   pkg-config libpcap-dev liblzma-dev liblzf-dev
   libgtest-dev libgmock-dev libbenchmark-dev valgrind
   libgl1-mesa-dri libegl1
+  mrpt-apps xvfb
 )
+[ "${1:-}" = --viewer ] && packages+=(libmrpt-gui-dev)
 
 missing=()
 for package in "${packages[@]}"; do

@@ -113,6 +113,15 @@ TEST_F(LoadedModule, RefusesValuesOutOfRangeInOneLine) {
               ::testing::HasSubstr("can not be read"));
 }
 
+TEST_F(LoadedModule, IsLoadedByRawlogEdit) {
+  if (std::system("command -v rawlog-edit >/dev/null") != 0)
+    GTEST_SKIP() << "rawlog-edit is not installed (package mrpt-apps)";
+  const std::string command = "rawlog-edit -p " + quoted(TOSS_PLUG_IN) + " --info -i " +
+                              quoted(rawlog()) + " >" + quoted(in("said")) + " 2>&1";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  EXPECT_THAT(readBytes(in("said")), ::testing::HasSubstr("VLP-16"));
+}
+
 TEST_F(LoadedModule, SurvivesBeingUnloaded) {
   mrpt::maps::CMultiMetricMap maps = mapsOf(mrpt::config::CConfigFile(TOSS_EXAMPLE_INI));
   std::string error;
