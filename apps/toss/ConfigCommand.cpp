@@ -18,6 +18,7 @@ void addConfigCommand(CLI::App& program, const Verbosity&) {
   command->footer("Example: toss config --sensor VLP-16 > my.ini");
   command->add_option("--sensor", *sensor, "With the preset of this sensor, such as HDL-64E");
   command->add_option("--config", request->file, "With the values of this .ini file");
+  command->add_option("--keep", request->keep, "As toss map --keep: static, balanced or remove");
   command->add_option("--set", request->settings, "section.key=value, repeatable")
       ->allow_extra_args(false);
   command->callback([request, sensor] {

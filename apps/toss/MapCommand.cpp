@@ -17,6 +17,8 @@ void addMapCommand(CLI::App& program, const Verbosity& verbosity) {
   command->add_option("--config", request->configuration.file, "Configuration, an .ini file");
   command->add_option("--set", request->configuration.settings, "section.key=value, repeatable")
       ->allow_extra_args(false);
+  command->add_option("--keep", request->configuration.keep,
+                      "In doubt: static = keep, remove = take out (default: balanced)");
   command->add_option("--from", request->from, "First scan, counted from 0")->check(wholeNumber());
   command->add_option("--to", request->to, "Last scan, included")->check(wholeNumber());
   command->add_option("--threads", request->threads, "Threads; 0 = all cores")

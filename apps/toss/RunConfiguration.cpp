@@ -3,6 +3,7 @@
 
 #include <toss/geometry/OptionSections.h>
 #include <toss/rawlog/SensorPresets.h>
+#include <toss/voting/KeepChoice.h>
 
 namespace toss {
 
@@ -15,6 +16,7 @@ std::vector<Options*> RunConfiguration::sections() {
 
 RunConfiguration configure(const ConfigurationRequest& request, const std::string& model) {
   RunConfiguration configuration;
+  leanTowards(keepFromName(request.keep), configuration.pipeline.decision);
   const std::vector<Options*> sections = configuration.sections();
   if (const auto preset = sensorPresets().find(model); preset != sensorPresets().end())
     loadSectionsFromText(preset->second, "config/sensors/" + model + ".ini", sections);

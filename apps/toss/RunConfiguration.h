@@ -24,14 +24,17 @@ struct RunConfiguration {
 
 /// What the user asks for on the command line.
 struct ConfigurationRequest {
+  /// What to do in doubt: "static", "balanced" or "remove".
+  std::string keep = "balanced";
   /// An .ini, or "".
   std::string file;
   /// "section.key=value" each.
   std::vector<std::string> settings;
 };
 
-/// Defaults, then the preset of the sensor `model` ("" = none), then the request's file, then its
-/// settings. Throws UserError where the request can't be understood.
+/// Defaults, leaning towards what is to be kept, then the preset of the sensor `model` ("" = none),
+/// then the request's file, then its settings. Throws UserError where the request can't be
+/// understood.
 RunConfiguration configure(const ConfigurationRequest& request, const std::string& model);
 
 }  // namespace toss

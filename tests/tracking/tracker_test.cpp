@@ -124,7 +124,7 @@ TEST(Tracker, AutoMosCountsTheMissesOfAWholeLife) {
 TEST(Tracker, LeavesOutBackgroundSmallAndDamagedBoxes) {
   std::vector<Detection> scan(5, detectionOf(standingBox(0, 0, 1, 1)));
   scan[0].background = true;
-  scan[1].pointCount = 4;
+  scan[1].pointCount = 2;
   scan[2].box.center.y() = std::numeric_limits<double>::quiet_NaN();
   scan[3].box.length = std::numeric_limits<double>::infinity();
   Tracker tracker(TrackingOptions{});

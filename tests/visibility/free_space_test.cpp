@@ -158,6 +158,24 @@ TEST(FreeSpace, AFenceIsNotSeenThroughAlthoughMostBeamsPassIt) {
     EXPECT_LT(objectSum(scan).freeShare(), 0.1);
 }
 
+TEST(FreeSpace, WhatPassesBehindAFenceIsGlimpsedPastAndTheWallBehindItIsNot) {
+  const auto scene = [](double t) {
+    AnalyticScene s;
+    s.add(kWall);
+    for (double y = -6.0; y < 6.0; y += 0.12)
+      s.add(AlignedBox3d(Vector3d(8, y, -1.5), Vector3d(8.03, y + 0.04, 1.5)));
+    const double y = 1.5 * t - 4.0;
+    s.add(AlignedBox3d(Vector3d(11, y, -1.5), Vector3d(11.5, y + 0.6, 0.5)));
+    return s;
+  };
+  const auto behindFence = [](const Vector3d& p) { return p.x() > 10.0 && p.x() < 19.0; };
+  const auto cells = run(scene, behindFence, 5.0, standing);
+  const auto wall = [](const Vector3d& p) { return p.x() > 19.0; };
+  EXPECT_LT(objectSum(cells[25]).freeShare() * objectSum(cells[25]).cells, 2.0);
+  EXPECT_GT(objectSum(cells[25]).glimpsedShare(), 0.6);
+  EXPECT_LT(objectSum(run(scene, wall, 5.0, standing)[25]).glimpsedShare(), 0.02);
+}
+
 TEST(FreeSpace, FoliageIsNotSeenThroughAsAWhole) {
   const auto scene = [](double) {
     AnalyticScene s;
@@ -181,12 +199,13 @@ TEST(FreeSpace, FarFromTheOriginNothingChanges) {
   RangeImage image;
   LevelPoints points;
   image = boxBetween(0, -1, 9).look(Vector3d::Zero(), points);
-  std::vector<std::uint8_t> free(points.x.size(), 0), hits(points.x.size(), 0);
+  std::vector<std::uint8_t> free(points.x.size(), 0), hits(points.x.size(), 0),
+      glimpses(points.x.size(), 0);
   RangeView view(options);
   RangeView::Scratch scratch;
   view.look(image, inSensorFrame(points), Eigen::Isometry3d(Eigen::Translation3d(far)), scratch);
   view.testify(points.x.data(), points.y.data(), points.z.data(), points.x.size(), far, free.data(),
-               hits.data());
+               hits.data(), glimpses.data());
   for (std::size_t i = 0; i < hits.size(); ++i) EXPECT_EQ(1, hits[i]);
 }
 

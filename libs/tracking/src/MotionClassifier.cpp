@@ -36,13 +36,16 @@ bool movesByTests(const MotionEvidence& evidence, const MotionOptions& options,
          motion.displacement > jitterFactor * (motion.scatter + kRangeNoise) &&
          motion.displacement >= options.minPathEfficiency * evidence.recentPathLength() &&
          motion.lagging >= options.faceShare * demanded &&
-         motion.lagging >= options.faceRatio * motion.leading &&
-         evidence.recentHidden() <= options.maxHidden;
+         motion.lagging >= options.faceRatio * motion.leading;
 }
 
 bool moves(const MotionEvidence& evidence, const MotionOptions& options, double jitterFactor) {
   return options.rule == MotionRule::AutoMos ? movesByAutoMos(evidence)
                                              : movesByTests(evidence, options, jitterFactor);
+}
+
+bool isHidden(const MotionEvidence& evidence, const MotionOptions& options) {
+  return options.rule == MotionRule::Tests && evidence.recentHidden() > options.maxHidden;
 }
 
 bool isStrong(const MotionEvidence& evidence, const MotionOptions& options) {
@@ -55,7 +58,9 @@ bool isStrong(const MotionEvidence& evidence, const MotionOptions& options) {
 }  // namespace
 
 MotionClass classifyMotion(const MotionEvidence& evidence, const MotionOptions& options) {
-  if (!moves(evidence, options, options.jitterFactor)) return MotionClass::Static;
+  if (!moves(evidence, options, options.doubtfulJitterFactor)) return MotionClass::Static;
+  if (isHidden(evidence, options) || !moves(evidence, options, options.jitterFactor))
+    return MotionClass::Doubtful;
   return isStrong(evidence, options) ? MotionClass::Strong : MotionClass::Weak;
 }
 

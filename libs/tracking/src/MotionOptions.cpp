@@ -39,6 +39,10 @@ void visitTests(MotionOptions& options, OptionVisitor& visitor) {
                 "more vegetation",
                 "measured on real scans; spec section 6: 4, of the filter's deviation"},
                options.jitterFactor, 0.0, 1000.0);
+  visitor.real({"doubtful_jitter_factor", "",
+                "the same for a doubtful motion, which free space must confirm",
+                "measured on simulated scans"},
+               options.doubtfulJitterFactor, 0.0, 1000.0);
   visitor.real(
       {"min_path_efficiency", "", "least share of the path that is displacement", "spec section 6"},
       options.minPathEfficiency, 0.0, 1.0);

@@ -13,6 +13,7 @@ std::vector<FreeSpaceSum> sumByInstance(const EvidenceCells& cells, std::int32_t
       ++sum.free;
     else if (isHit(cells, c))
       ++sum.hit;
+    if (isGlimpsed(cells, c, minFreeViews)) ++sum.glimpsed;
   }
   return sums;
 }

@@ -15,7 +15,8 @@ double tolerance(double offset) {
 void testify(const RangeView& view, const Eigen::Vector3d& position, const EvidenceCells& cells,
              Testimony& testimony) {
   view.testify(cells.x.data(), cells.y.data(), cells.z.data(), cells.size(), position,
-               testimony.freeViews.data(), testimony.hitViews.data());
+               testimony.freeViews.data(), testimony.hitViews.data(),
+               testimony.glimpseViews.data());
 }
 
 }  // namespace

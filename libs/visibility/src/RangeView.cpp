@@ -92,33 +92,42 @@ void RangeView::fillRanges(const RangeImage& image, const PointCloud& points,
 
 void RangeView::fillPixels(Scratch& scratch) {
   const auto width = static_cast<std::size_t>(columns_);
+  const auto finite = [](float range) { return range < kEmpty ? range : 0.0f; };
   scratch.alongRow.resize(scratch.ranges.size());
+  scratch.farthestAlongRow.resize(scratch.ranges.size());
   for (std::size_t begin = 0; begin < scratch.ranges.size(); begin += width) {
     const float* in = scratch.ranges.data() + begin;
-    float* out = scratch.alongRow.data() + begin;
-    for (std::size_t c = 1; c + 1 < width; ++c)
-      out[c] = std::min(std::min(in[c - 1], in[c]), in[c + 1]);
-    out[0] = std::min(std::min(in[width - 1], in[0]), in[1]);
-    out[width - 1] = std::min(std::min(in[width - 2], in[width - 1]), in[0]);
+    float* nearest = scratch.alongRow.data() + begin;
+    float* farthest = scratch.farthestAlongRow.data() + begin;
+    const auto fill = [&](std::size_t left, std::size_t c, std::size_t right) {
+      nearest[c] = std::min(std::min(in[left], in[c]), in[right]);
+      farthest[c] = std::max(std::max(finite(in[left]), finite(in[c])), finite(in[right]));
+    };
+    for (std::size_t c = 1; c + 1 < width; ++c) fill(c - 1, c, c + 1);
+    fill(width - 1, 0, 1);
+    fill(width - 2, width - 1, 0);
   }
   pixels_.resize(scratch.ranges.size());
-  std::fill(pixels_.end() - columns_, pixels_.end(), Pixel{kEmpty, kEmpty});
+  std::fill(pixels_.end() - columns_, pixels_.end(), Pixel{kEmpty, kEmpty, 0.0f});
   for (int r = 0; r < rows_; ++r) {
-    const auto row = [&](int index) {
-      return scratch.alongRow.data() +
-             static_cast<std::size_t>(std::clamp(index, 0, rows_ - 1)) * width;
+    const auto row = [&](const std::vector<float>& values, int index) {
+      return values.data() + static_cast<std::size_t>(std::clamp(index, 0, rows_ - 1)) * width;
     };
-    const float *above = row(r - 1), *here = row(r), *below = row(r + 1);
+    const float *n0 = row(scratch.alongRow, r - 1), *n1 = row(scratch.alongRow, r),
+                *n2 = row(scratch.alongRow, r + 1);
+    const float *f0 = row(scratch.farthestAlongRow, r - 1), *f1 = row(scratch.farthestAlongRow, r),
+                *f2 = row(scratch.farthestAlongRow, r + 1);
     const float* range = scratch.ranges.data() + static_cast<std::size_t>(r) * width;
     Pixel* out = pixels_.data() + static_cast<std::size_t>(r) * width;
     for (std::size_t c = 0; c < width; ++c)
-      out[c] = {range[c], std::min(std::min(above[c], here[c]), below[c])};
+      out[c] = {range[c], std::min(std::min(n0[c], n1[c]), n2[c]),
+                std::max(std::max(f0[c], f1[c]), f2[c])};
   }
 }
 
 void RangeView::testify(const float* x, const float* y, const float* z, std::size_t count,
                         const Eigen::Vector3d& position, std::uint8_t* freeViews,
-                        std::uint8_t* hitViews) const {
+                        std::uint8_t* hitViews, std::uint8_t* glimpseViews) const {
   const Eigen::Matrix3f r = sensorFromMap_.linear().cast<float>();
   // Subtracted in double: both positions may be far from the map's origin.
   const Eigen::Vector3f t = (sensorFromMap_ * position).cast<float>();
@@ -148,6 +157,8 @@ void RangeView::testify(const float* x, const float* y, const float* z, std::siz
       const bool free = nearest > past && nearest < kEmpty;
       const bool hit =
           std::fabs(nearest - range) < hitMargin_ || std::fabs(seen[i].range - range) < hitMargin_;
+      const bool glimpse = !hit && seen[i].farthest > past;
+      glimpseViews[begin + i] = static_cast<std::uint8_t>(glimpseViews[begin + i] + glimpse);
       freeViews[begin + i] = static_cast<std::uint8_t>(freeViews[begin + i] + free);
       hitViews[begin + i] = static_cast<std::uint8_t>(hitViews[begin + i] + hit);
     }

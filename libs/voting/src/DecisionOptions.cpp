@@ -18,6 +18,10 @@ void DecisionOptions::visit(OptionVisitor& v) {
          vetoHitShare, 0.0, 1.0);
   v.real({"veto_free_share", "", "and less than this share of it is seen through", "spec 12"},
          vetoFreeShare, 0.0, 1.0);
+  v.real({"doubtful_glimpsed_share", "",
+          "A trace whose motion is doubtful moves if this share of it is glimpsed past",
+          "measured on simulated scans"},
+         doubtfulGlimpsedShare, 0.0, 1.0);
   v.integer(
       {"min_cells", "", "Cells that must be seen through for the free share to count", "spec 12"},
       minCells, 1, 100);

@@ -15,12 +15,20 @@ bool isConfirmedStanding(const FreeSpaceSum& evidence, const DecisionOptions& op
          evidence.freeShare() < options.vetoFreeShare;
 }
 
+/// What moves behind a bush is glimpsed past; a patch of wall seen through an opening is not.
+bool isGlimpsedPast(const FreeSpaceSum& evidence, const DecisionOptions& options) {
+  return evidence.glimpsed >= options.minCells &&
+         evidence.glimpsedShare() >= options.doubtfulGlimpsedShare;
+}
+
 }  // namespace
 
 MotionClass fuseTrace(MotionClass motion, const FreeSpaceSum& evidence,
                       const DecisionOptions& options) {
   if (isSeenThrough(evidence, options.traceFreeShare, options)) return MotionClass::Strong;
   if (isConfirmedStanding(evidence, options)) return MotionClass::Static;
+  if (motion == MotionClass::Doubtful)
+    return isGlimpsedPast(evidence, options) ? MotionClass::Strong : MotionClass::Static;
   const bool confirmed = isSeenThrough(evidence, options.confirmFreeShare, options);
   return isDynamic(motion) && confirmed ? MotionClass::Strong : motion;
 }

@@ -26,7 +26,7 @@ struct MappingOptions : Options {
   double insertionDelay = 0.5;
   /// Ground returns inside the footprint of a dynamic box go with it where they are higher than
   /// this over the local ground plane [m].
-  double groundResidueHeight = 0.06;
+  double groundResidueHeight = 0.02;
 
   const char* section() const override { return "map"; }
   void visit(OptionVisitor& visitor) override;

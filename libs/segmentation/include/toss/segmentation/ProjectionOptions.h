@@ -17,7 +17,7 @@ struct ProjectionOptions : Options {
   /// Returns nearer than this to the sensor are OutOfRange [m]; 0 = the sensor's own limit.
   double minRange = 0.0;
   /// Returns farther than this from the sensor are OutOfRange [m]; 0 = the sensor's own limit.
-  double maxRange = 80.0;
+  double maxRange = 0.0;
   /// Horizontal radius of the robot's own body around the sensor [m]: returns inside are Invalid.
   /// 0 by default, because what is lost there can be a person beside a small robot; the preset for
   /// cars (HDL-64E) has 2.7.

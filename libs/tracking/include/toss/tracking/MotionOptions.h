@@ -30,13 +30,15 @@ struct MotionOptions : Options {
   double extentFactor = 1.0, minExcursion = 0.5, maxExcursion = 6.0;
   /// Test b: the displacement exceeds this many times the scatter of the faces about their lines.
   double jitterFactor = 10.0;
+  /// The same for a doubtful motion, which needs free space to confirm it.
+  double doubtfulJitterFactor = 5.0;
   /// Test c: displacement over length of the path.
   double minPathEfficiency = 0.4;
   /// Test d: both faces have moved by faceShare times the displacement demanded by test a, and the
   /// lagging one by faceRatio times the leading one.
   double faceShare = 0.5, faceRatio = 0.75;
-  /// Test e: largest mean share of the outline that something nearer hides. What is seen through a
-  /// window or between parked cars wanders as the sensor passes.
+  /// Largest mean share of the outline that something nearer hides; beyond it, motion is doubtful.
+  /// What is seen through a window or between parked cars wanders as the sensor passes.
   double maxHidden = 0.45;
   /// Strong: excursion of at least strongExtentFactor median longer edges and strongExcursion [m],
   /// strongHits detections, and test b with strongJitterFactor.

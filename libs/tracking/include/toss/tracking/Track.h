@@ -12,11 +12,13 @@ namespace toss {
 using TrackId = std::uint64_t;
 
 /// Coarse class of a trace (spec section 6): dynamic traces are Weak or Strong. Strong ones have
-/// travelled so far that voting may not return them to static (spec section 7.3).
-enum class MotionClass : std::uint8_t { Static, Weak, Strong };
+/// travelled so far that voting may not return them to static (spec section 7.3). Doubtful ones
+/// advance, but were mostly seen past something nearer, or scatter much: people behind bushes move
+/// like this, and so do patches of wall seen between parked cars. Only free space can tell.
+enum class MotionClass : std::uint8_t { Static, Doubtful, Weak, Strong };
 
 inline bool isDynamic(MotionClass motion) {
-  return motion != MotionClass::Static;
+  return motion == MotionClass::Weak || motion == MotionClass::Strong;
 }
 
 /// A trace as it stands after the last scan.
@@ -34,7 +36,7 @@ struct Track {
   bool confirmed = false;
   /// Index of the detection of the last scan, -1 where it was missed.
   std::int32_t detection = -1;
-  /// Coarse class; goes from Static to Weak to Strong, never back.
+  /// Coarse class; rises in the order of MotionClass, never falls.
   MotionClass motion = MotionClass::Static;
 
   /// Evidence for later stages, all from detections, horizontal [m]: largest distance of the

@@ -82,7 +82,7 @@ struct LifecycleOptions {
   /// The same for dynamic traces: who passes behind something or merges with somebody comes back.
   int maxMissesMoving = 10;
   /// Fewest returns of a box that may continue a trace, and of one that may start a trace.
-  int minMatchPoints = 5, minBirthPoints = 5;
+  int minMatchPoints = 3, minBirthPoints = 3;
 };
 
 /// Options of the multi-object tracker, section [tracking].

@@ -9,16 +9,22 @@ namespace toss {
 
 /// What a number of views say about cells.
 struct Testimony {
-  /// Views that saw through each cell, and views that measured it, shape [cells].
-  std::vector<std::uint8_t> freeViews, hitViews;
+  /// Views that saw through each cell, views that measured it, and views of which some ray went
+  /// past it without any measuring it, as through a bush, shape [cells].
+  std::vector<std::uint8_t> freeViews, hitViews, glimpseViews;
 
   void reset(std::size_t cells) {
     freeViews.assign(cells, 0);
     hitViews.assign(cells, 0);
+    glimpseViews.assign(cells, 0);
   }
   /// Enough views saw through the cell, and more than measured it.
   bool isFree(std::size_t cell, int minFreeViews) const {
     return freeViews[cell] >= minFreeViews && freeViews[cell] > hitViews[cell];
+  }
+  /// Enough views went past the cell, and far more than measured it.
+  bool isGlimpsed(std::size_t cell, int minFreeViews) const {
+    return glimpseViews[cell] >= minFreeViews && glimpseViews[cell] > 3 * hitViews[cell];
   }
 };
 
@@ -44,6 +50,11 @@ inline bool isFree(const EvidenceCells& cells, std::size_t cell, int minFreeView
   return cells.past.isFree(cell, minFreeViews) || cells.later.isFree(cell, minFreeViews);
 }
 
+/// The same for glimpses past the cell: weak evidence, for foliage is glimpsed past as well.
+inline bool isGlimpsed(const EvidenceCells& cells, std::size_t cell, int minFreeViews) {
+  return cells.past.isGlimpsed(cell, minFreeViews) || cells.later.isGlimpsed(cell, minFreeViews);
+}
+
 inline bool isHit(const EvidenceCells& cells, std::size_t cell) {
   return cells.past.hitViews[cell] > 0 || cells.later.hitViews[cell] > 0;
 }
@@ -53,9 +64,11 @@ struct FreeSpaceSum {
   /// Cells in all; cells seen through; cells measured again and not seen through. The others are
   /// hidden from all views, or lie where no view has returns.
   int cells = 0, free = 0, hit = 0;
+  /// Cells glimpsed past, the free ones included.
+  int glimpsed = 0;
 
   void add(const FreeSpaceSum& other) {
-    cells += other.cells, free += other.free, hit += other.hit;
+    cells += other.cells, free += other.free, hit += other.hit, glimpsed += other.glimpsed;
   }
   /// Shares of the cells that views say something about; 0 where they say nothing.
   double freeShare() const {
@@ -63,6 +76,7 @@ struct FreeSpaceSum {
   }
   /// Share of all cells.
   double hitShare() const { return cells > 0 ? static_cast<double>(hit) / cells : 0.0; }
+  double glimpsedShare() const { return cells > 0 ? static_cast<double>(glimpsed) / cells : 0.0; }
 };
 
 /// Sums of each instance, shape [instanceCount + 1]; entry 0 holds the unclustered cells.

@@ -18,6 +18,8 @@ class RangeView {
   struct Scratch {
     /// Shortest range of each pixel, and of it and its neighbours in the row [m].
     std::vector<float> ranges, alongRow;
+    /// Longest range of each pixel and its neighbours in the row [m].
+    std::vector<float> farthestAlongRow;
     /// Column of the view that each column of the scan's image falls into.
     std::vector<std::uint16_t> columnOf;
   };
@@ -34,16 +36,18 @@ class RangeView {
 
   /// Asks about points given in the level frame of a scan taken at `position` [m, map frame]:
   /// x, y, z [m], shape [count]. Adds 1 to freeViews[i] where the view sees past point i in the
-  /// whole neighbourhood of its pixel, to hitViews[i] where it measures the point itself.
+  /// whole neighbourhood of its pixel, to hitViews[i] where it measures the point itself, and to
+  /// glimpseViews[i] where it sees past it somewhere in the neighbourhood and does not measure it.
   void testify(const float* x, const float* y, const float* z, std::size_t count,
-               const Eigen::Vector3d& position, std::uint8_t* freeViews,
-               std::uint8_t* hitViews) const;
+               const Eigen::Vector3d& position, std::uint8_t* freeViews, std::uint8_t* hitViews,
+               std::uint8_t* glimpseViews) const;
 
  private:
-  /// Shortest range of a pixel and of its 3 x 3 neighbourhood [m], infinite where empty: side by
-  /// side, since both are asked for together.
+  /// Shortest range of a pixel and of its 3 x 3 neighbourhood [m], infinite where empty, and the
+  /// longest of the neighbourhood's, 0 where empty: side by side, since they are asked for
+  /// together.
   struct Pixel {
-    float range, nearest;
+    float range, nearest, farthest;
   };
   void fillRowTable(const std::vector<float>& elevations);
   void fillRanges(const RangeImage& image, const PointCloud& points, Scratch& scratch) const;

@@ -8,7 +8,7 @@ namespace toss {
 /// How motion, votes and free space become one verdict, section [decision] (spec section 12).
 struct DecisionOptions : Options {
   /// An instance of which this share is seen through moves, whatever its trace did.
-  double freeShare = 0.5;
+  double freeShare = 0.4;
   /// The same for a trace, over all its instances.
   double traceFreeShare = 0.35;
   /// A trace that moved weakly counts as Strong from this share on: both kinds of evidence agree.
@@ -17,7 +17,9 @@ struct DecisionOptions : Options {
   double liveFreeShare = 0.35;
   /// What was measured again by this share and seen through by less than that stays, however its
   /// trace moved.
-  double vetoHitShare = 0.3, vetoFreeShare = 0.05;
+  double vetoHitShare = 0.5, vetoFreeShare = 0.05;
+  /// A trace whose motion is doubtful moves if this share of its cells is glimpsed past.
+  double doubtfulGlimpsedShare = 0.2;
   /// Cells that must be seen through for the free share to count.
   int minCells = 2;
   /// Free views that make a return without an instance move on its own.

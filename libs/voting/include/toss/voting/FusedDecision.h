@@ -9,7 +9,7 @@ namespace toss {
 
 /// Class of a trace from how it moved and from what other scans saw where it was: free space alone
 /// makes it Strong, a clear hit record makes it Static, some of it confirms a Weak motion as
-/// Strong, else motion decides (spec section 12).
+/// Strong, glimpses past it confirm a Doubtful one, else motion decides (spec section 12).
 MotionClass fuseTrace(MotionClass motion, const FreeSpaceSum& evidence,
                       const DecisionOptions& options);
 
