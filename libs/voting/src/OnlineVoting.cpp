@@ -42,6 +42,7 @@ BoxId OnlineVoting::addScan(const std::vector<VotingBox>& boxes) {
     const Voter voter = rules_.voter(box, records_.nextId(), trace, scan_);
     BoxRecord record;
     record.cell = grid_.insert(voter);
+    if (canVoteDynamic(trace)) ++grid_.cell(record.cell).dynamicVoters;
     traces_.addBox(trace, record.cell);
     const BoxId id = records_.add(record);
     markDirty(id);
@@ -148,8 +149,15 @@ void OnlineVoting::setTrackClass(TrackId track, MotionClass motion) {
   if (track == 0) throw std::logic_error("DsVoting: track 0 has no class");
   const TraceList::TraceIndex known = traces_.find(track);
   if (motion == (known == Voter::kNoTrace ? MotionClass::Static : traces_.motion(known))) return;
+  const bool couldVote = known != Voter::kNoTrace && canVoteDynamic(known);
   const TraceList::TraceIndex trace = traces_.setMotion(track, motion, time_);
-  for (const VoterGrid::CellIndex cell : grid_.withNeighbors(traces_.cells(trace))) {
+  const int votersPerBox = (canVoteDynamic(trace) ? 1 : 0) - (couldVote ? 1 : 0);
+  std::vector<VoterGrid::CellIndex> cells;
+  for (const TraceList::CellCount& count : traces_.cells(trace)) {
+    grid_.cell(count.cell).dynamicVoters += votersPerBox * count.boxes;
+    cells.push_back(count.cell);
+  }
+  for (const VoterGrid::CellIndex cell : grid_.withNeighbors(cells)) {
     for (const Voter& voter : grid_.cell(cell)) {
       if (records_.isOpen(voter.id)) markDirty(voter.id);
     }
@@ -188,7 +196,9 @@ void OnlineVoting::forgetBefore(double time) {
   records_.closeBefore(time);
   records_.removeVotersBefore(time - horizon, [this](BoxId box) {
     const VoterGrid::CellIndex cell = records_[box].cell;
-    traces_.removeBox(grid_.cell(cell).begin()->trace, cell);
+    const TraceList::TraceIndex trace = grid_.cell(cell).begin()->trace;
+    if (canVoteDynamic(trace)) --grid_.cell(cell).dynamicVoters;
+    traces_.removeBox(trace, cell);
     grid_.removeEarliest(cell);
   });
   traces_.forgetUnused(time - horizon);

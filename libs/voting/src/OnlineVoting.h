@@ -25,6 +25,10 @@ class OnlineVoting {
 
  private:
   void startScan(const std::vector<VotingBox>& boxes);
+  /// Whether boxes of the trace can vote for dynamic as its class is now.
+  bool canVoteDynamic(TraceList::TraceIndex trace) const {
+    return trace != Voter::kNoTrace && rules_.canVoteDynamic(traces_.motion(trace));
+  }
   /// Votes of a box of the present scan on boxes of earlier ones.
   void voteDynamic(const Voter& voter, MotionClass motion);
   void voteStatic(const Voter& voter, MotionClass motion);

@@ -67,12 +67,6 @@ void TraceList::forgetUnused(double time) {
   named_.erase(std::remove_if(named_.begin(), named_.end(), forget), named_.end());
 }
 
-std::vector<VoterGrid::CellIndex> TraceList::cells(TraceIndex trace) const {
-  std::vector<VoterGrid::CellIndex> result;
-  for (const CellCount& c : traces_[trace].cells) result.push_back(c.cell);
-  return result;
-}
-
 void TraceList::giveUp(TraceIndex trace) {
   indexOf_.erase(traces_[trace].id);
   traces_[trace] = Trace();

@@ -31,14 +31,15 @@ class TraceList {
   /// Gives up traces that were named before `time` [s] and have no boxes.
   void forgetUnused(double time);
 
-  /// Cells that hold boxes of the trace, each once.
-  std::vector<VoterGrid::CellIndex> cells(TraceIndex trace) const;
-
- private:
+  /// A cell and how many boxes of a trace it holds.
   struct CellCount {
     VoterGrid::CellIndex cell;
     int boxes;
   };
+  /// Cells that hold boxes of the trace, each once.
+  const std::vector<CellCount>& cells(TraceIndex trace) const { return traces_[trace].cells; }
+
+ private:
   struct Trace {
     TrackId id = 0;
     MotionClass motion = MotionClass::Static;

@@ -20,6 +20,7 @@ int VoteCounter::countDynamic(const Voter& voted) {
   tally_.start();
   const double t = voted.time, adjacent = rules_.adjacent();
   grid_.visit(voted.center, rules_.reach(voted), [&](const VoterCell& cell) {
+    if (cell.dynamicVoters == 0) return;
     const Voter* const end =
         firstNot(cell.begin(), cell.end(), [=](double time) { return time - t <= adjacent; });
     for (const Voter* v = end; v != cell.begin() && t - (v - 1)->time <= adjacent;) {

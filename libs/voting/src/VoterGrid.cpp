@@ -49,7 +49,11 @@ void VoterGrid::removeEarliest(CellIndex index) {
 
 const Voter& VoterGrid::find(CellIndex index, BoxId box) const {
   const VoterCell& cell = cells_[index];
-  return *std::lower_bound(cell.begin(), cell.end(), box,
+  // Mostly a box of the latest scan, which is among the last.
+  const Voter* last = cell.end() - 1;
+  for (int step = 0; step < 3 && last->id > box; ++step) --last;
+  if (last->id == box) return *last;
+  return *std::lower_bound(cell.begin(), last, box,
                            [](const Voter& voter, BoxId id) { return voter.id < id; });
 }
 

@@ -16,6 +16,8 @@ struct VoterCell {
   /// Boxes by ascending id, and with it by time; those before `first` are forgotten.
   std::vector<Voter> voters;
   std::size_t first = 0;
+  /// How many of them are of traces that can vote for dynamic: mostly none.
+  int dynamicVoters = 0;
   /// Boxes that a vote for static may turn; may hold some that no longer wait, in any order.
   std::vector<Voter> pending;
 
