@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/obs/CObservationVelodyneScan.h>
 
 #include <array>
 #include <map>
@@ -39,6 +40,52 @@ TEST(MrptMap, HonoursThePoseOfTheSensorOnTheRobot) {
     near += squared < 1e-4f;
   }
   EXPECT_GT(near, expected.size() * 99 / 100);
+}
+
+/// One turn of a VLP-16 inside a cylinder of 10 m radius.
+mrpt::obs::CObservationVelodyneScan velodyneTurn() {
+  using Scan = mrpt::obs::CObservationVelodyneScan;
+  Scan scan;
+  scan.calibration = mrpt::obs::VelodyneCalibration::LoadDefaultCalibration("VLP16");
+  scan.timestamp = toMrptTime(1.6e9);
+  scan.sensorLabel = "velodyne";
+  for (int rotation = 0; rotation < 36000; rotation += 12 * 40) {
+    std::string bytes;
+    const auto add = [&](int value) {
+      bytes += {static_cast<char>(value & 0xff), static_cast<char>(value >> 8)};
+    };
+    for (int block = 0; block < 12; ++block) {
+      add(Scan::UPPER_BANK);
+      add((rotation + block * 40) % 36000);
+      for (int laser = 0; laser < 32; ++laser, bytes += ' ') add(5000);
+    }
+    bytes += std::string(4, '\0') + "\x37\x22";
+    Scan::TVelodyneRawPacket packet;
+    EXPECT_EQ(bytes.size(), sizeof packet);
+    std::memcpy(static_cast<void*>(&packet), bytes.data(), sizeof packet);
+    scan.scan_packets.push_back(packet);
+  }
+  return scan;
+}
+
+TEST(MrptMap, PlacesVelodynePacketsByTheirPose) {
+  const auto pointsFrom = [](const mrpt::poses::CPose3D& pose) {
+    CDynamicFilteredPointsMap map;
+    map.insertionOptions.settings = {"map.voxel_size=0", "map.keep_below_ground=true"};
+    EXPECT_TRUE(map.insertObservation(velodyneTurn(), pose));
+    return pointsOf(map.points());
+  };
+  const Eigen::Isometry3d moved = toss::test::poseOf(30.0, -20.0, 5.0, 0.0);
+  const std::vector<MapPoint> here = pointsFrom(mrpt::poses::CPose3D());
+  const std::vector<MapPoint> there = pointsFrom(toMrpt(moved));
+  ASSERT_GT(here.size(), 5000u);
+  ASSERT_EQ(here.size(), there.size());
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    EXPECT_NEAR(std::hypot(here[i].x, here[i].y, here[i].z), 10.0f, 0.2f);
+    EXPECT_NEAR(there[i].x - here[i].x, 30.0f, 1e-4f);
+    EXPECT_NEAR(there[i].y - here[i].y, -20.0f, 1e-4f);
+    EXPECT_NEAR(there[i].z - here[i].z, 5.0f, 1e-4f);
+  }
 }
 
 TEST(MrptMap, TakesTheOriginWhereNoPoseIsGiven) {

@@ -68,8 +68,6 @@ bool MappingSession::insert(const mrpt::obs::CObservation& observation,
   readObservation(observation, configuration_.plugin.rawlog, scan_);
   if (scan_.points.empty() && !pipeline_) return false;
   placeScan(observation, mapFromRobot, placeOf(observation), scan_);
-  scan_.beams = nullptr;
-  scan_.motionCompensated = false;
   if (sweeps_) sweeps_->addTo(scan_, observation.sensorLabel);
   if (!pipeline_) start();
   pipeline_->process(scan_);
