@@ -2,6 +2,7 @@
 #include "Variants.h"
 
 #include <toss/geometry/OptionSections.h>
+#include <toss/voting/KeepChoice.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -23,6 +24,14 @@ Variant without(const std::string& name, const std::string& description,
   return configured(name, description, VariantKind::Ablation, "", settings);
 }
 
+Variant leaning(const std::string& keep, const std::string& description) {
+  return {"keep " + keep, description, VariantKind::Ablation, [keep](const LabelledLog& log) {
+            PipelineOptions options = optionsOf(log.sensor, "", {});
+            leanTowards(keepFromName(keep), options.decision);
+            return runPipeline(log, options);
+          }};
+}
+
 std::vector<Variant> baselines() {
   std::vector<Variant> all = {
       {"naive", "every return stays", VariantKind::Baseline, keepEverything}};
@@ -39,6 +48,15 @@ std::vector<Variant> baselines() {
 
 std::vector<Variant> ablations() {
   return {
+      leaning("static", "toss map --keep static: in doubt it stays"),
+      leaning("remove", "toss map --keep remove: in doubt it goes"),
+      without("no glimpses", "doubtful motion is no motion",
+              {"decision.doubtful_glimpsed_share=1"}),
+      without("traces of 5", "traces need five returns",
+              {"tracking.min_match_points=5", "tracking.min_birth_points=5"}),
+      without("80 m", "returns beyond 80 m are in no instance", {"projection.max_range=80"}),
+      without("feet from 6 cm", "boxes claim no ground returns lower than 6 cm",
+              {"map.ground_residue_height=0.06"}),
       without(kNoVotingName, "a box has the coarse class of its trace", {"voting.mode=off"}),
       without("literal voting", "the vote as it is printed", {"voting.mode=literal"}),
       without("no free space", "no other scan is asked", {"visibility.enabled=false"}),
