@@ -36,6 +36,18 @@ TEST_F(Selection, ToBehindTheEndTakesAllThatIsThere) {
   EXPECT_THAT(labelNames(tail / "labels"), ::testing::ElementsAre("000028.label", "000029.label"));
 }
 
+TEST_F(Selection, KeepLeansTheVerdictAndIsWrittenIntoTheConfiguration) {
+  const auto moving = [](const fs::path& folder) {
+    return summary(folder)["points"]["moving"].get<long>();
+  };
+  const fs::path strict = map(rawlog(), "strict", "--no-snapshots --keep remove");
+  const fs::path careful = map(rawlog(), "careful", "--no-snapshots --keep static");
+  EXPECT_GT(moving(strict), moving(careful));
+  const fs::path again = map(rawlog(), "again",
+                             "--no-snapshots --config " + quoted(strict / "config.ini"));
+  EXPECT_EQ(filesIn(strict / "labels"), filesIn(again / "labels"));
+}
+
 TEST_F(Selection, NothingMoreIsWrittenThanAskedFor) {
   const fs::path lean = map(rawlog(), "lean", "--no-snapshots --to 4");
   EXPECT_FALSE(fs::exists(lean / "snapshots"));

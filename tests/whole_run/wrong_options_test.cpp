@@ -39,6 +39,11 @@ TEST_F(WrongOptions, ValuesThatContradictEachOtherAreRefused) {
   EXPECT_THAT(complaint("--set voting.tau_d=3 --set voting.tau_s=1"), HasSubstr("tau_s"));
 }
 
+TEST_F(WrongOptions, WhatToKeepIsOneOfThree) {
+  EXPECT_THAT(complaint("--keep all"),
+              AllOf(HasSubstr("--keep all"), HasSubstr("static, balanced or remove")));
+}
+
 TEST_F(WrongOptions, ConfigurationFilesAreCheckedAlike) {
   EXPECT_THAT(configComplaint("[votin]\ntau = 1\n"),
               AllOf(HasSubstr("wrong.ini"), HasSubstr("did you mean 'voting'?")));
