@@ -132,6 +132,7 @@ void RangeView::testify(const float* x, const float* y, const float* z, std::siz
   // Subtracted in double: both positions may be far from the map's origin.
   const Eigen::Vector3f t = (sensorFromMap_ * position).cast<float>();
   Block block;
+  std::array<const Pixel*, kBlock> pixels;
   std::array<Pixel, kBlock> seen;
   for (std::size_t begin = 0; begin < count; begin += kBlock) {
     const std::size_t size = std::min(kBlock, count - begin);
@@ -149,8 +150,11 @@ void RangeView::testify(const float* x, const float* y, const float* z, std::siz
     }
     for (std::size_t i = 0; i < size; ++i) {
       const std::int32_t row = rowOfSine_[static_cast<std::size_t>(block.sine[i])];
-      seen[i] = pixels_[static_cast<std::size_t>(row * columns_ + block.column[i])];
+      pixels[i] = &pixels_[static_cast<std::size_t>(row * columns_ + block.column[i])];
+      // The view has not been looked at for a while: its memory is far away.
+      __builtin_prefetch(pixels[i]);
     }
+    for (std::size_t i = 0; i < size; ++i) seen[i] = *pixels[i];
     for (std::size_t i = 0; i < size; ++i) {
       const float range = block.range[i], nearest = seen[i].nearest;
       const float past = range + freeMargin_ + freeMarginShare_ * range;
