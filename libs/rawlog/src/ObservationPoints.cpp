@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <mrpt/obs/CObservationPointCloud.h>
+#include <mrpt/obs/CObservationRotatingScan.h>
 #include <mrpt/obs/CObservationVelodyneScan.h>
 #include <toss/geometry/Error.h>
 #include <toss/rawlog/MrptConversion.h>
@@ -12,7 +13,8 @@ namespace toss {
 
 bool holdsPoints(const mrpt::obs::CObservation& observation) {
   return IS_CLASS(observation, mrpt::obs::CObservationPointCloud) ||
-         IS_CLASS(observation, mrpt::obs::CObservationVelodyneScan);
+         IS_CLASS(observation, mrpt::obs::CObservationVelodyneScan) ||
+         IS_CLASS(observation, mrpt::obs::CObservationRotatingScan);
 }
 
 void readPoints(mrpt::obs::CObservation& observation, const std::filesystem::path& rawlog,
@@ -24,6 +26,10 @@ void readPoints(mrpt::obs::CObservation& observation, const std::filesystem::pat
   scan.motionCompensated = false;
   if (IS_CLASS(observation, mrpt::obs::CObservationPointCloud)) {
     readCloudPoints(observation, rawlog, place, scan);
+    return;
+  }
+  if (IS_CLASS(observation, mrpt::obs::CObservationRotatingScan)) {
+    readRotatingPoints(observation, place, scan);
     return;
   }
   try {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PoseBuffer.h"
 
+#include <algorithm>
 #include <iterator>
 
 namespace toss {
@@ -31,14 +32,13 @@ std::optional<Eigen::Isometry3d> PoseBuffer::at(Ticks time) const {
 }
 
 std::optional<Eigen::Isometry3d> PoseBuffer::around(Ticks time) const {
-  if (const auto inside = at(time)) return inside;
   if (poses_.size() < 2) return std::nullopt;
-  const bool before = time < poses_.begin()->first;
-  if (!before && time < poses_.rbegin()->first) return std::nullopt;
-  const auto a = before ? poses_.begin() : std::prev(poses_.end(), 2);
-  const auto b = std::next(a);
-  const Ticks beyond = before ? a->first - time : time - b->first;
-  if (beyond > maxGap_ || b->first - a->first > 2 * maxGap_) return std::nullopt;
+  auto b = poses_.upper_bound(time);
+  if (b == poses_.begin()) ++b;
+  if (b == poses_.end()) --b;
+  const auto a = std::prev(b);
+  const Ticks beyond = std::max(a->first - time, time - b->first);
+  if (std::max(beyond, b->first - a->first) > 2 * maxGap_) return std::nullopt;
   const double share =
       static_cast<double>(time - a->first) / static_cast<double>(b->first - a->first);
   return interpolate(a->second, b->second, share);

@@ -22,8 +22,8 @@ class PoseBuffer {
   /// The pose at `time`: the one that was added for it, bit for bit; else between the two around
   /// it, position linear and rotation by SLERP. None where one of the two is missing or too far.
   std::optional<Eigen::Isometry3d> at(Ticks time) const;
-  /// The same; beyond the first or last pose, at most `maxGap` away, by the motion between the two
-  /// poses that are nearest there, which may lie twice as far apart.
+  /// The pose at `time` between two poses that are at most twice `maxGap` apart; beyond the first
+  /// or last pose, as far as that, by the motion between the two that are nearest there.
   std::optional<Eigen::Isometry3d> around(Ticks time) const;
   /// Whether there is a pose at `time` or later.
   bool reaches(Ticks time) const { return !poses_.empty() && poses_.rbegin()->first >= time; }

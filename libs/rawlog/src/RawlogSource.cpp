@@ -4,7 +4,6 @@
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
-#include <mrpt/obs/CObservationRotatingScan.h>
 #include <mrpt/obs/CSensoryFrame.h>
 #include <toss/geometry/Error.h>
 #include <toss/rawlog/MrptConversion.h>
@@ -25,8 +24,7 @@ using Ticks = PoseBuffer::Ticks;
 /// Kinds that hold ranges, but not as points: named to the user where nothing else is found.
 bool isOtherRangeScan(const CObservation& observation) {
   return IS_CLASS(observation, mrpt::obs::CObservation2DRangeScan) ||
-         IS_CLASS(observation, mrpt::obs::CObservation3DRangeScan) ||
-         IS_CLASS(observation, mrpt::obs::CObservationRotatingScan);
+         IS_CLASS(observation, mrpt::obs::CObservation3DRangeScan);
 }
 
 /// Returns may be measured before their scan's time stamp [ticks].

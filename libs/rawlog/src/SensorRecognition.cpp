@@ -22,17 +22,6 @@ std::string lettersAndDigits(const std::string& text) {
   return result;
 }
 
-std::string modelInLabel(const std::string& label) {
-  const std::string text = lettersAndDigits(label);
-  for (const SensorModel& sensor : knownSensors()) {
-    std::string name = lettersAndDigits(sensor.name);
-    // The E of the HDL series is often left out.
-    if (name.back() == 'e') name.pop_back();
-    if (text.find(name) != std::string::npos) return sensor.name;
-  }
-  return "";
-}
-
 /// Elevations [rad] of a sample of the far returns, in the scan's order.
 std::vector<float> sampleElevations(const PointCloud& points) {
   std::vector<float> elevations;
@@ -133,6 +122,17 @@ bool isKnown(const std::string& model) {
 
 }  // namespace
 
+std::string sensorNamedIn(const std::string& given) {
+  const std::string text = lettersAndDigits(given);
+  for (const SensorModel& sensor : knownSensors()) {
+    std::string name = lettersAndDigits(sensor.name);
+    // The E of the HDL series is often left out.
+    if (name.back() == 'e') name.pop_back();
+    if (text.find(name) != std::string::npos) return sensor.name;
+  }
+  return "";
+}
+
 BeamAgreement beamAgreement(const PointCloud& points, const SensorModel& sensor) {
   const std::vector<float> elevations = sampleElevations(points);
   return elevations.empty() ? BeamAgreement() : agreement(elevations, sensor);
@@ -141,7 +141,7 @@ BeamAgreement beamAgreement(const PointCloud& points, const SensorModel& sensor)
 std::string recognizeSensor(const PosedScan& scan) {
   if (!scan.sensorModel.empty()) return scan.sensorModel;
   if (scan.beams) return isKnown(scan.beams->name) ? scan.beams->name : "";
-  const std::string labelled = modelInLabel(scan.sensorLabel);
+  const std::string labelled = sensorNamedIn(scan.sensorLabel);
   return labelled.empty() ? modelByBeams(scan.points) : labelled;
 }
 

@@ -13,6 +13,10 @@ namespace toss {
 /// returns. "" if unknown.
 std::string recognizeSensor(const PosedScan& scan);
 
+/// The known model whose name is in the text, however it is written ("hdl64", "My OS1-64"); "" if
+/// none is.
+std::string sensorNamedIn(const std::string& given);
+
 /// How well the returns of a scan agree with the beams of a model, shares from 0 to 1.
 struct BeamAgreement {
   /// Returns that lie between the beams of the model, half a beam spacing beyond them included.
