@@ -17,6 +17,8 @@ struct ScoreboardRequest {
   bool quick = false;
   /// Scans of each scene; 0 = the scene's own number.
   int frames = 0;
+  /// The only variants to run, by name; empty = all.
+  std::vector<std::string> variants;
   /// Seeds 1 to this; ablations and OctoMap run on seed 1 alone.
   int seeds = 2;
   /// Cases that run at a time.

@@ -3,6 +3,7 @@
 #include <toss/geometry/Error.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 
 #include "AssociationPlot.h"
@@ -22,9 +23,22 @@ void readArguments(CLI::App& program, ScoreboardRequest& request) {
       ->check(CLI::Range(1, 100));
   program.add_option("--jobs", request.jobs, "Cases at a time")->check(CLI::Range(1, 256));
   program.add_option("--scene", request.scenes, "Only these scenes; 'none' for no simulated one");
+  program.add_option("--variant", request.variants, "Only these variants, by name");
   program.add_option("--real", request.realSequence, "Labelled real sequence, KITTI layout");
   program.add_option("--commit", request.commit, "Name of the commit, for the report");
   program.add_option("OUTPUT", request.output, "Folder for results.md and pictures")->required();
+}
+
+std::vector<Variant> chosenVariants(const ScoreboardRequest& request) {
+  std::vector<Variant> all = allVariants(request.quick);
+  const auto isUnwanted = [&](const Variant& variant) {
+    const auto& wanted = request.variants;
+    return std::find(wanted.begin(), wanted.end(), variant.name) == wanted.end();
+  };
+  if (!request.variants.empty())
+    all.erase(std::remove_if(all.begin(), all.end(), isUnwanted), all.end());
+  if (all.empty()) throw UserError("--variant", "there is none of that name", "see --help");
+  return all;
 }
 
 void run(ScoreboardRequest& request) {
@@ -32,7 +46,7 @@ void run(ScoreboardRequest& request) {
   if (request.quick && request.frames == 0) request.frames = kQuickFrames;
   if (request.quick) request.seeds = 1;
   std::filesystem::create_directories(request.output);
-  const std::vector<Variant> variants = allVariants(request.quick);
+  const std::vector<Variant> variants = chosenVariants(request);
   const AssociationStudy association = studyAssociation();
   PictureMaker pictures(request.output);
   const std::vector<CaseResult> results =
