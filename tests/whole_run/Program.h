@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <mrpt/io/CFileGZInputStream.h>
 #include <sys/wait.h>
 
 #include <algorithm>
@@ -52,6 +53,19 @@ inline std::string complaintOf(const std::string& arguments, const std::string& 
   EXPECT_EQ(run.error.rfind("toss: ", 0), 0u) << run.error;
   EXPECT_EQ(run.out, "");
   return run.error;
+}
+
+/// Objects of a rawlog, as any MRPT program streams them.
+inline std::vector<Object> objectsOf(const fs::path& rawlog) {
+  std::vector<Object> objects;
+  mrpt::io::CFileGZInputStream stream(rawlog.string());
+  auto archive = mrpt::serialization::archiveFrom(stream);
+  while (!stream.checkEOF()) try {
+      objects.push_back(archive.ReadObject());
+    } catch (const mrpt::serialization::CExceptionEOF&) {
+      break;
+    }
+  return objects;
 }
 
 /// All files under `folder` by their path in it, with their bytes.

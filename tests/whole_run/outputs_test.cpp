@@ -27,18 +27,7 @@ class Outputs : public CrossingLog {
   static nlohmann::json summary() {
     return nlohmann::json::parse(readBytes(run() / "summary.json"));
   }
-  /// Objects of the filtered rawlog, as any MRPT program streams them.
-  static std::vector<Object> filteredObjects() {
-    std::vector<Object> objects;
-    mrpt::io::CFileGZInputStream stream((run() / "filtered.rawlog").string());
-    auto archive = mrpt::serialization::archiveFrom(stream);
-    while (!stream.checkEOF()) try {
-        objects.push_back(archive.ReadObject());
-      } catch (const mrpt::serialization::CExceptionEOF&) {
-        break;
-      }
-    return objects;
-  }
+  static std::vector<Object> filteredObjects() { return objectsOf(run() / "filtered.rawlog"); }
 };
 
 std::uint64_t countOf(const std::vector<std::uint32_t>& labels, std::uint32_t semantic) {
