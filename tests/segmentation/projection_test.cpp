@@ -139,7 +139,7 @@ TEST(Projection, BadReturnsAreSortedOut) {
   points.y = {0, infinity, 0, 1e38f, 0, 0, 1, 0, 0};
   points.z = {0, 0, 0, 0, 0, 0, 5, 9, -9};
   ProjectionOptions options;
-  options.egoRadius = 2.5, options.minZ = -5.0;
+  options.egoRadius = 2.5, options.minZ = -5.0, options.maxRange = 80.0;
   const Projected projected(points, "HDL-64E", options);
   using C = PointClass;
   EXPECT_THAT(projected.pointClass,

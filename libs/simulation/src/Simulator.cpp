@@ -80,6 +80,7 @@ struct Simulator::Implementation {
     result.scan.time = time;
     result.scan.sensorModel = sensor.name;
     result.scan.sensorLabel = sensor.name;
+    result.scan.motionCompensated = options.compensated;
     ++frame;
     return true;
   }
