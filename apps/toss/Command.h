@@ -10,6 +10,11 @@ struct Verbosity {
   bool quiet = false, verbose = false;
 };
 
+struct ConfigurationRequest;
+
+/// Adds --config and --set to a command, and --poses where `poses`. `request` must outlive it.
+void addConfigurationOptions(CLI::App& command, ConfigurationRequest& request, bool poses = true);
+
 // Each adds one sub-command to the program; its callback runs it and throws UserError where the
 // input or the options are wrong.
 void addMapCommand(CLI::App& program, const Verbosity& verbosity);
@@ -18,6 +23,8 @@ void addSimulateCommand(CLI::App& program, const Verbosity& verbosity);
 void addEvalCommand(CLI::App& program, const Verbosity& verbosity);
 void addSnapshotCommand(CLI::App& program, const Verbosity& verbosity);
 void addInfoCommand(CLI::App& program, const Verbosity& verbosity);
+void addCheckCommand(CLI::App& program, const Verbosity& verbosity);
+void addOdometryCommand(CLI::App& program, const Verbosity& verbosity);
 void addConfigCommand(CLI::App& program, const Verbosity& verbosity);
 void addBenchmarkCommand(CLI::App& program, const Verbosity& verbosity);
 

@@ -14,9 +14,9 @@ void addMapCommand(CLI::App& program, const Verbosity& verbosity) {
   command->footer("Example: toss map drive.rawlog --out result --set map.voxel_size=0.2");
   command->add_option("INPUT", request->input, "Rawlog, or folder in KITTI layout")->required();
   command->add_option("--out", request->output, "Folder for the results")->required();
-  command->add_option("--config", request->configuration.file, "Configuration, an .ini file");
-  command->add_option("--set", request->configuration.settings, "section.key=value, repeatable")
-      ->allow_extra_args(false);
+  addConfigurationOptions(*command, request->configuration);
+  command->add_flag("--odometry", request->odometry,
+                    "Find the poses from the scans alone; they are left in poses.txt");
   command->add_option("--keep", request->configuration.keep,
                       "In doubt: static = keep, remove = take out (default: balanced)");
   command->add_option("--from", request->from, "First scan, counted from 0")->check(wholeNumber());

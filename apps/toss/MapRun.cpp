@@ -6,6 +6,7 @@
 #include <tbb/parallel_pipeline.h>
 #include <toss/geometry/OptionSections.h>
 #include <toss/rawlog/AtomicFile.h>
+#include <toss/rawlog/AtomicFolder.h>
 #include <toss/rawlog/ScanSource.h>
 #include <toss/render/RenderUnavailable.h>
 #include <toss/render/SceneFile.h>
@@ -13,9 +14,11 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "MapOutputs.h"
 #include "MapSummary.h"
+#include "OdometryRun.h"
 #include "Progress.h"
 #include "ScanRange.h"
 #include "SensorOfInput.h"
@@ -125,20 +128,65 @@ std::string inputName(const MapRequest& request) {
   return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
+namespace {
+
+/// Poses that a run finds before it maps: a file that is put in place when the map is there.
+class FoundPoses {
+ public:
+  FoundPoses(const MapRequest& request, const RunConfiguration& configuration, bool quiet)
+      : path_(request.output / "poses.txt"), file_((makeFolder(request.output), path_)) {
+    if (!configuration.input.poseFile.empty())
+      throw UserError("--odometry", "poses are given too, with --poses or input.pose_file",
+                      "leave one of them away");
+    const Trajectory found =
+        findPoses({request.input, request.from, request.to}, configuration, quiet);
+    writeTrajectory(found, PoseFileFormat::Tum, file_.temporaryPath());
+    note_ = noteOn(found);
+  }
+
+  /// Makes `configuration` use them, while they are unfinished and when they are in place.
+  void use(RunConfiguration& configuration) const { use(file_.temporaryPath(), configuration); }
+  void commit(RunConfiguration& configuration) {
+    file_.commit();
+    use(path_, configuration);
+  }
+  const std::string& note() const { return note_; }
+
+ private:
+  static void use(const std::filesystem::path& file, RunConfiguration& configuration) {
+    configuration.input.poseFile = file.string();
+    configuration.input.poseOf = PoseSubject::Sensor;
+    configuration.input.timeOffset = 0.0;
+  }
+
+  std::filesystem::path path_;
+  AtomicFile file_;
+  std::string note_;
+};
+
+}  // namespace
+
 void runMap(const MapRequest& request, const Verbosity& verbosity) {
   const int threads = request.threads > 0 ? request.threads : tbb::info::default_concurrency();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
   RunConfiguration configuration = configure(request.configuration, "");
+  std::optional<FoundPoses> found;
+  if (request.odometry) found.emplace(request, configuration, verbosity.quiet);
+  if (found) found->use(configuration);
   const SensorChoice sensor = sensorOfInput(request.input, configuration, request.from, request.to);
   configuration = configure(request.configuration, sensor.preset);
   configuration.sensor.model = sensor.name;
+  if (found) found->use(configuration);
   MapRunner runner(request, configuration, sensor.model, verbosity.quiet);
   runner.run();
+  if (found) found->commit(configuration);
   draw(request, runner.outputs().content(), configuration.render);
   writeTextAtomically(request.output / "config.ini", sectionsToText(configuration.sections()));
   writeSummary(request, configuration, runner.inputReport(), runner.outputs());
-  if (!verbosity.quiet) printSummary(request, runner.inputReport(), runner.outputs());
+  if (verbosity.quiet) return;
+  if (found) std::cout << found->note();
+  printSummary(request, runner.inputReport(), runner.outputs());
 }
 
 }  // namespace toss

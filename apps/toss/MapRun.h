@@ -20,6 +20,8 @@ struct MapRequest {
   /// Threads of the whole program; 0 = all cores.
   int threads = 0;
   bool snapshots = true, liveLabels = false, instances = false;
+  /// Whether the poses are found from the scans: see LidarOdometry.
+  bool odometry = false;
 };
 
 /// Name of the input without the folders it lies in.

@@ -8,7 +8,7 @@
 namespace toss {
 
 std::vector<Options*> RunConfiguration::sections() {
-  std::vector<Options*> all = {&input, &sensor};
+  std::vector<Options*> all = {&input, &sensor, &odometry};
   for (Options* section : pipeline.sections()) all.push_back(section);
   all.push_back(&render);
   return all;
@@ -22,6 +22,7 @@ RunConfiguration configure(const ConfigurationRequest& request, const std::strin
     loadSectionsFromText(preset->second, "config/sensors/" + model + ".ini", sections);
   if (!request.file.empty()) loadSections(request.file, sections);
   for (const std::string& setting : request.settings) setOption(setting, sections);
+  if (!request.poses.empty()) configuration.input.poseFile = request.poses;
   return configuration;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <toss/odometry/OdometryOptions.h>
 #include <toss/pipeline/PipelineOptions.h>
 #include <toss/rawlog/InputOptions.h>
 #include <toss/rawlog/SensorChoice.h>
@@ -15,6 +16,7 @@ namespace toss {
 struct RunConfiguration {
   InputOptions input;
   SensorOptions sensor;
+  OdometryOptions odometry;
   PipelineOptions pipeline;
   RenderOptions render;
 
@@ -30,11 +32,13 @@ struct ConfigurationRequest {
   std::string file;
   /// "section.key=value" each.
   std::vector<std::string> settings;
+  /// A pose file, or "": the same as input.pose_file, and above it.
+  std::string poses;
 };
 
 /// Defaults, leaning towards what is to be kept, then the preset of the sensor `model` ("" = none),
-/// then the request's file, then its settings. Throws UserError where the request can't be
-/// understood.
+/// then the request's file, then its settings, then its poses. Throws UserError where the
+/// request can't be understood.
 RunConfiguration configure(const ConfigurationRequest& request, const std::string& model);
 
 }  // namespace toss

@@ -5,8 +5,9 @@
 
 namespace toss {
 
-SensorChoice sensorOfInput(const std::filesystem::path& input, const RunConfiguration& configuration,
-                           std::uint64_t from, std::uint64_t to) {
+SensorChoice sensorOfInput(const std::filesystem::path& input,
+                           const RunConfiguration& configuration, std::uint64_t from,
+                           std::uint64_t to) {
   if (const std::string& wanted = configuration.sensor.model; wanted != "auto")
     return {sensorByName(wanted), wanted, wanted};
   ScanRange scans(input, configuration.input, from, to);

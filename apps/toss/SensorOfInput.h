@@ -12,7 +12,8 @@ namespace toss {
 
 /// The sensor that the configuration names, else the one of the first scan with returns among those
 /// numbered `from` to `to`. Throws UserError where there is none.
-SensorChoice sensorOfInput(const std::filesystem::path& input, const RunConfiguration& configuration,
-                           std::uint64_t from, std::uint64_t to);
+SensorChoice sensorOfInput(const std::filesystem::path& input,
+                           const RunConfiguration& configuration, std::uint64_t from,
+                           std::uint64_t to);
 
 }  // namespace toss

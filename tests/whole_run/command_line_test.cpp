@@ -9,7 +9,8 @@ using ::testing::HasSubstr;
 TEST(CommandLine, EveryCommandHasHelpWithAnExample) {
   for (const std::string command :
        {"map", "import", "import kitti", "import ouster", "import velodyne", "import pcd",
-        "simulate", "eval", "snapshot", "info", "config", "benchmark", "benchmark semantickitti"}) {
+        "simulate", "eval", "snapshot", "info", "odometry", "config", "benchmark",
+        "benchmark semantickitti"}) {
     const ProgramRun run = runProgram(command + " --help");
     EXPECT_EQ(run.code, 0) << command;
     EXPECT_THAT(run.out, HasSubstr("Example: toss " + command)) << command;

@@ -39,9 +39,11 @@ SampledPath samplePath(const RawlogPoses& poses, PoseBuffer::Ticks stamp, const 
   const Eigen::Isometry3d stampFromMap = scan.mapFromSensor.inverse();
   for (int i = 0; i <= static_cast<int>(steps); ++i) {
     const double time = static_cast<double>(begin) + i * static_cast<double>(path.step);
-    const auto mapFromRobot = poses.around(stamp + std::llround(time * 1e7));
-    if (!mapFromRobot) return {};
-    const Eigen::Isometry3d pose = stampFromMap * *mapFromRobot * scan.robotFromSensor;
+    const auto found = poses.around(stamp + std::llround(time * 1e7));
+    if (!found) return {};
+    const Eigen::Isometry3d mapFromSensor =
+        poses.ofSensor() ? *found : *found * scan.robotFromSensor;
+    const Eigen::Isometry3d pose = stampFromMap * mapFromSensor;
     path.stampFromSensor.push_back(pose.matrix().topRows<3>().cast<float>());
   }
   return path;

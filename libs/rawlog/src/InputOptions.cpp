@@ -20,6 +20,17 @@ void InputOptions::visit(OptionVisitor& visitor) {
                   "(CObservationOdometry or action increments), which drifts.",
                   own},
                  poseSource, {"observations", "odometry"});
+  visitor.string({"pose_file", "",
+                  "File with poses in TUM or KITTI format, which replace those of the input; empty "
+                  "takes the input's own.",
+                  own},
+                 poseFile);
+  visitor.choice({"pose_of", "",
+                  "What the poses of pose_file are of: sensor = the LiDAR, robot = the robot that "
+                  "carries it, camera = KITTI's camera; automatic takes camera for a file in KITTI "
+                  "format and a folder with calib.txt, else sensor.",
+                  own},
+                 poseOf, {"automatic", "sensor", "robot", "camera"});
   visitor.real({"max_pose_gap", "s",
                 "A scan between two poses is used only if both are at most "
                 "this far away in time; larger values interpolate over longer gaps.",

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <system_error>
 
 #include "KittiPoses.h"
@@ -30,7 +31,7 @@ void listScans(KittiFolder& folder) {
     const fs::path& file = entry.path();
     const bool isScan = file.extension() == ".bin" && isNumber(file.stem().string());
     if (isScan)
-      folder.scans.push_back({std::strtoull(file.stem().c_str(), nullptr, 10), file});
+      folder.scans.push_back({std::strtoull(file.stem().c_str(), nullptr, 10), file, {}, {}});
     else
       ++others;
   }
@@ -58,65 +59,33 @@ void checkNumbers(KittiFolder& folder) {
                               " numbers between the first and the last scan are missing");
 }
 
-fs::path posesFile(const fs::path& folder) {
-  const fs::path own = folder / "poses.txt";
-  if (fs::exists(own)) return own;
-  const fs::path absolute = fs::absolute(folder / ".").lexically_normal().parent_path();
-  const fs::path shared =
-      absolute.parent_path().parent_path() / "poses" / (absolute.filename().string() + ".txt");
-  if (fs::exists(shared)) return shared;
-  throw UserError(own.string(), "does not exist",
-                  "put the poses of the scans there, one row of 12 numbers per scan");
-}
-
-void readPoses(KittiFolder& folder) {
-  const fs::path file = posesFile(folder.path);
-  folder.poses = readKittiPoses(file);
-  const fs::path calibration = folder.path / "calib.txt";
-  if (fs::exists(calibration)) {
-    const Eigen::Isometry3d cameraFromLidar = readKittiCalibration(calibration);
-    for (auto& pose : folder.poses) pose = lidarPose(pose, cameraFromLidar);
-  } else {
-    folder.warnings.push_back(calibration.string() +
-                              ": does not exist, poses.txt is taken for the poses of the LiDAR "
-                              "itself (KITTI's are the camera's: they need calib.txt)");
+void readTimes(const fs::path& file, const InputOptions& options, KittiFolder& folder) {
+  const bool exists = fs::exists(file);
+  const std::vector<double> times = exists ? readKittiTimes(file) : std::vector<double>();
+  for (KittiScan& scan : folder.scans) {
+    if (exists && scan.number >= times.size()) continue;
+    const double time =
+        exists ? times[scan.number] : static_cast<double>(scan.number) * options.scanPeriod;
+    scan.time = fromMrptTime(toMrptTime(time));
   }
-}
-
-void checkPoses(KittiFolder& folder) {
-  const std::size_t scans = folder.scans.size(), poses = folder.poses.size();
-  const std::uint64_t last = folder.scans.back().number;
-  if (last < poses) return;
-  const std::string where = posesFile(folder.path).string();
-  if (poses == scans || poses <= folder.scans.front().number)
-    throw UserError(where,
-                    "holds " + std::to_string(poses) + " rows, but the last scan is number " +
-                        std::to_string(last) + " and row i belongs to scan number i",
-                    "number the scans from 000000.bin on, without gaps");
-  folder.warnings.push_back(where + ": holds " + std::to_string(poses) +
-                            " rows, scans from number " + std::to_string(poses) +
-                            " on have no pose and are skipped");
-}
-
-void readTimes(KittiFolder& folder, const InputOptions& options) {
-  const fs::path file = folder.path / "times.txt";
-  const std::uint64_t last = folder.scans.back().number;
-  const std::size_t rows = std::min<std::uint64_t>(last + 1, folder.poses.size());
-  if (fs::exists(file)) {
-    folder.times = readKittiTimes(file);
-    if (folder.times.size() < rows)
-      throw UserError(file.string(),
-                      "holds " + std::to_string(folder.times.size()) + " times, but " +
-                          std::to_string(rows) + " scans need one",
-                      "write one time per scan, or remove the file to assume a steady rate");
-  } else {
+  if (!exists)
     folder.warnings.push_back(file.string() + ": does not exist, one scan every " +
                               std::to_string(options.scanPeriod) +
                               " s is assumed (input.scan_period)");
-    for (std::size_t row = 0; row < rows; ++row)
-      folder.times.push_back(static_cast<double>(row) * options.scanPeriod);
+}
+
+/// Times may end before the scans do only where poses end too.
+void checkTimes(const fs::path& file, bool timesNeeded, const KittiFolder& folder) {
+  std::uint64_t timed = 0, needed = 0;
+  for (const KittiScan& scan : folder.scans) {
+    if (scan.time) timed = scan.number + 1;
+    if (scan.pose || timesNeeded) needed = scan.number + 1;
   }
-  for (double& time : folder.times) time = fromMrptTime(toMrptTime(time));
+  if (timed < needed)
+    throw UserError(file.string(),
+                    "holds " + std::to_string(readKittiTimes(file).size()) + " times, but " +
+                        std::to_string(needed) + " scans need one",
+                    "write one time per scan, or remove the file to assume a steady rate");
 }
 
 }  // namespace
@@ -126,9 +95,10 @@ KittiFolder readKittiFolder(const fs::path& path, const InputOptions& options) t
   folder.path = path;
   listScans(folder);
   checkNumbers(folder);
-  readPoses(folder);
-  checkPoses(folder);
-  readTimes(folder, options);
+  const fs::path times = path / "times.txt";
+  readTimes(times, options, folder);
+  readKittiFolderPoses(options, folder);
+  checkTimes(times, !options.poseFile.empty(), folder);
   return folder;
 } catch (const fs::filesystem_error& error) {
   throw UserError(error.path1().string(), "can't be read (" + error.code().message() + ")",

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,10 @@ struct KittiScan {
   /// Number in the file name: row of poses.txt and times.txt, and name of the label file.
   std::uint64_t number = 0;
   std::filesystem::path file;
+  /// Time [s], as MRPT's time stamps keep it; none where times.txt has no such row.
+  std::optional<double> time;
+  /// map <- LiDAR, where there is one.
+  std::optional<Eigen::Isometry3d> pose;
 };
 
 /// What a folder in KITTI layout holds: everything but the points.
@@ -23,21 +28,20 @@ struct KittiFolder {
   std::filesystem::path path;
   /// By ascending number.
   std::vector<KittiScan> scans;
-  /// map <- LiDAR of row i. Scans whose number is not below its size have no pose.
-  std::vector<Eigen::Isometry3d> poses;
-  /// Time of row i [s], as MRPT's time stamps keep it.
-  std::vector<double> times;
   /// What is odd about the folder and what was made of it.
   std::vector<std::string> warnings;
-
-  bool hasPose(const KittiScan& scan) const { return scan.number < poses.size(); }
 };
 
 /// Reads velodyne/ (names only), poses.txt, calib.txt and times.txt of `folder`.
 /// Where poses.txt is missing, ../../poses/<name of the folder>.txt is taken: KITTI odometry's own
-/// place. Where calib.txt is missing, poses.txt is taken for the LiDAR's own poses; where times.txt
-/// is missing, scans come every options.scanPeriod: both with a warning. Throws UserError where the
-/// folder has another layout, a file in it is damaged, or rows and scans can't belong together.
+/// place; options.poseFile replaces both. Where calib.txt is missing, poses.txt is taken for the
+/// LiDAR's own poses; where times.txt is missing, scans come every options.scanPeriod: both with a
+/// warning. With options.withoutPoses every pose is the identity, and neither poses.txt nor
+/// calib.txt is looked at. Scans with a pose have a time. Throws UserError where the folder has
+/// another layout, a file in it is damaged, or rows and scans can't belong together.
 KittiFolder readKittiFolder(const std::filesystem::path& folder, const InputOptions& options);
+
+/// The part of it that gives poses to the scans.
+void readKittiFolderPoses(const InputOptions& options, KittiFolder& folder);
 
 }  // namespace toss

@@ -19,7 +19,7 @@ KittiFolderSource::KittiFolderSource(const std::filesystem::path& folder,
 }
 
 bool KittiFolderSource::next(PosedScan& scan) {
-  while (next_ < folder_.scans.size() && !folder_.hasPose(folder_.scans[next_])) {
+  while (next_ < folder_.scans.size() && !folder_.scans[next_].pose) {
     ++report_.skippedForPose;
     ++next_;
   }
@@ -28,8 +28,8 @@ bool KittiFolderSource::next(PosedScan& scan) {
   const KittiScan& from = folder_.scans[next_++];
   readKittiPoints(from.file, scan.points);
   scan.index = from.number;
-  scan.time = folder_.times[from.number];
-  scan.mapFromSensor = folder_.poses[from.number];
+  scan.time = *from.time;
+  scan.mapFromSensor = *from.pose;
   scan.robotFromSensor.setIdentity();
   scan.sensorLabel = kLidarLabel;
   scan.sensorModel.clear();

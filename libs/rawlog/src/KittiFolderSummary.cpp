@@ -60,15 +60,15 @@ void summarizeKittiFolder(const InputOptions& options, InputSummary& summary) {
   stream.sensorModel = recognizeIn(folder);
   summary.scans = folder.scans.size();
   for (const KittiScan& scan : folder.scans) {
-    if (!folder.hasPose(scan)) {
+    if (!scan.pose) {
       ++summary.scansWithoutPose;
       continue;
     }
-    const double time = folder.times[scan.number];
+    const double time = *scan.time;
     if (summary.poses == 0) stream.firstTime = time;
     stream.lastTime = time;
     ++summary.poses;
-    addPosition(folder.poses[scan.number].translation(), summary);
+    addPosition(scan.pose->translation(), summary);
   }
   summary.streams.push_back(stream);
 }

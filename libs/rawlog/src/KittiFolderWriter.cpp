@@ -3,6 +3,7 @@
 #include <toss/rawlog/AtomicFolder.h>
 #include <toss/rawlog/KittiFolderWriter.h>
 #include <toss/rawlog/LabelFile.h>
+#include <toss/rawlog/PoseFile.h>
 
 #include <fstream>
 #include <stdexcept>

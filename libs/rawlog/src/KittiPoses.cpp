@@ -3,6 +3,7 @@
 
 #include <toss/geometry/Error.h>
 #include <toss/rawlog/MrptConversion.h>
+#include <toss/rawlog/PoseFile.h>
 
 #include <cmath>
 #include <cstdio>
@@ -85,6 +86,13 @@ Eigen::Isometry3d readKittiCalibration(const std::filesystem::path& file) {
     throw UserError(file.string(), "holds no \"Tr:\" (camera <- LiDAR)",
                     "add it, or remove the file if poses.txt holds the LiDAR's own poses");
   return *found;
+}
+
+Eigen::Isometry3d cameraFromLidarOf(const std::filesystem::path& input) {
+  const std::filesystem::path calibration = input / "calib.txt";
+  std::error_code ignored;
+  if (!std::filesystem::exists(calibration, ignored)) return Eigen::Isometry3d::Identity();
+  return readKittiCalibration(calibration);
 }
 
 std::vector<double> readKittiTimes(const std::filesystem::path& file) {

@@ -15,10 +15,6 @@ namespace toss {
 Eigen::Isometry3d lidarPose(const Eigen::Isometry3d& cameraPose,
                             const Eigen::Isometry3d& cameraFromLidar);
 
-/// The reverse: P = Tr * M * Tr^-1.
-Eigen::Isometry3d cameraPose(const Eigen::Isometry3d& lidarPose,
-                             const Eigen::Isometry3d& cameraFromLidar);
-
 /// The pose of a row of 12 numbers, the upper 3x4; none where the text is no such row or no rigid
 /// motion.
 std::optional<Eigen::Isometry3d> parseKittiPose(const std::string& text);

@@ -5,6 +5,7 @@
 #include <mrpt/obs/CActionRobotMovement3D.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationRobotPose.h>
+#include <toss/geometry/Error.h>
 #include <toss/rawlog/MrptConversion.h>
 
 #include <algorithm>
@@ -47,6 +48,13 @@ RawlogPoses::RawlogPoses(const InputOptions& options)
       offset_(toTicks(options.timeOffset)),
       buffer_(toTicks(options.maxPoseGap)) {
   if (!options.poseLabel.empty()) label_ = options.poseLabel;
+  if (options.poseFile.empty() || options.withoutPoses) return;
+  if (options.poseOf == PoseSubject::Camera)
+    throw UserError("input.pose_of=camera", "a rawlog has no calibration of a camera",
+                    "give a KITTI folder with calib.txt, or poses of the LiDAR or the robot");
+  file_.emplace(options.poseFile, options.maxPoseGap);
+  for (std::size_t i = 0; i < file_->times().size(); ++i)
+    add(toMrptTime(file_->times()[i]).time_since_epoch().count(), file_->poses()[i]);
 }
 
 void RawlogPoses::add(Ticks time, const Eigen::Isometry3d& mapFromRobot) {
@@ -65,7 +73,7 @@ bool RawlogPoses::take(const mrpt::obs::CObservation& observation) {
   const bool odometry = options_.poseSource == PoseSource::Odometry;
   if (const auto* pose = dynamic_cast<const mrpt::obs::CObservationRobotPose*>(&observation)) {
     sawPoses_ = true;
-    if (odometry) return true;
+    if (odometry || file_) return true;
     if (!label_) label_ = pose->sensorLabel;
     if (pose->sensorLabel == *label_)
       add(ticksOf(observation), robotPose(*pose));
@@ -75,7 +83,8 @@ bool RawlogPoses::take(const mrpt::obs::CObservation& observation) {
   }
   if (const auto* wheels = dynamic_cast<const mrpt::obs::CObservationOdometry*>(&observation)) {
     sawOdometry_ = true;
-    if (odometry) add(ticksOf(observation), fromMrpt(mrpt::poses::CPose3D(wheels->odometry)));
+    if (odometry && !file_)
+      add(ticksOf(observation), fromMrpt(mrpt::poses::CPose3D(wheels->odometry)));
     return true;
   }
   return false;
@@ -99,11 +108,17 @@ void RawlogPoses::take(const mrpt::obs::CActionCollection& actions) {
   }
 }
 
-void RawlogPoses::placeScan(Ticks time) {
-  if (options_.poseSource == PoseSource::Odometry && sawActions_) add(time + offset_, odometry_);
+void RawlogPoses::placeScan(std::uint64_t index, Ticks time) {
+  if (file_) {
+    if (file_->format() == PoseFileFormat::Kitti && index < file_->poses().size())
+      add(time + offset_, file_->poses()[index]);
+  } else if (options_.poseSource == PoseSource::Odometry && sawActions_) {
+    add(time + offset_, odometry_);
+  }
 }
 
 std::optional<Eigen::Isometry3d> RawlogPoses::at(Ticks scanTime) const {
+  if (options_.withoutPoses) return Eigen::Isometry3d::Identity();
   return buffer_.at(scanTime + offset_);
 }
 
@@ -116,7 +131,13 @@ bool RawlogPoses::reaches(Ticks time) const {
 }
 
 bool RawlogPoses::mayStillCome(Ticks scanTime) const {
-  return buffer_.mayStillCome(scanTime + offset_);
+  return !file_ && buffer_.mayStillCome(scanTime + offset_);
+}
+
+std::vector<Eigen::Isometry3d> RawlogPoses::path() const {
+  std::vector<Eigen::Isometry3d> path;
+  for (const auto& [time, pose] : buffer_.all()) path.push_back(pose);
+  return path;
 }
 
 void RawlogPoses::forgetBefore(Ticks scanTime) {
@@ -125,6 +146,15 @@ void RawlogPoses::forgetBefore(Ticks scanTime) {
 
 void RawlogPoses::appendWarnings(const std::string& file,
                                  std::vector<std::string>& warnings) const {
+  if (options_.withoutPoses) return;
+  if (file_ && options_.poseOf == PoseSubject::Automatic)
+    warnings.push_back(options_.poseFile +
+                       ": its poses are taken for those of the LiDAR; say what they are of with "
+                       "input.pose_of");
+  if (!file_ && options_.poseSource == PoseSource::Odometry && count_ > 0)
+    warnings.push_back(file +
+                       ": the poses are odometry, which drifts, and from wheels it knows no slopes "
+                       "(height, roll and pitch are 0); prefer --odometry or poses from SLAM");
   if (!otherLabels_.empty())
     warnings.push_back(file + ": poses labelled '" + label_.value_or("") +
                        "' are used, others were left out (" + counted(otherLabels_) +

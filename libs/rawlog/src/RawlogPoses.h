@@ -4,6 +4,7 @@
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CObservation.h>
 #include <toss/rawlog/InputOptions.h>
+#include <toss/rawlog/PoseFile.h>
 
 #include <cstdint>
 #include <map>
@@ -15,11 +16,14 @@
 
 namespace toss {
 
-/// Gathers the poses of the robot (map <- robot) from the objects of a rawlog.
+/// Gathers the poses of the robot (map <- robot) from the objects of a rawlog, or takes them from
+/// options.poseFile instead.
 class RawlogPoses {
  public:
   using Ticks = PoseBuffer::Ticks;
 
+  /// Throws UserError where options.poseFile can't be read, or holds poses of a camera: a rawlog
+  /// has no calibration for it.
   explicit RawlogPoses(const InputOptions& options);
 
   /// Takes the pose out of an observation, if it holds one: CObservationRobotPose, whose sensorPose
@@ -28,20 +32,24 @@ class RawlogPoses {
   bool take(const mrpt::obs::CObservation& observation);
   /// Adds up the increments of an action/sensory-frame log (2D and 3D).
   void take(const mrpt::obs::CActionCollection& actions);
-  /// With PoseSource::Odometry, gives the sum of the increments to the time of a scan.
-  void placeScan(Ticks time);
+  /// To be told of each scan of the sensor, by its number: with PoseSource::Odometry gives the sum
+  /// of the increments to its time, and with a pose file in KITTI format the row of that number.
+  void placeScan(std::uint64_t index, Ticks time);
 
-  /// Pose at the time of a scan, options.timeOffset applied; see PoseBuffer.
+  /// Pose at the time of a scan, options.timeOffset applied; see PoseBuffer. The identity with
+  /// options.withoutPoses.
   std::optional<Eigen::Isometry3d> at(Ticks scanTime) const;
   std::optional<Eigen::Isometry3d> around(Ticks time) const;
+  /// Whether these poses are of the sensor, not of the robot.
+  bool ofSensor() const { return options_.withoutPoses || (file_ && !fileOfRobot()); }
   bool mayStillCome(Ticks scanTime) const;
   bool reaches(Ticks time) const;
   void forgetBefore(Ticks scanTime);
   /// To be told of scans that were skipped, for noticing poses that come too late for them.
   void scanSkipped(Ticks scanTime) { lastSkipped_ = scanTime + offset_; }
 
-  /// All poses that were not forgotten.
-  const PoseBuffer& buffer() const { return buffer_; }
+  /// All poses that were not forgotten, in order of time.
+  std::vector<Eigen::Isometry3d> path() const;
   std::uint64_t count() const { return count_; }
   bool sawOdometry() const { return sawOdometry_; }
   bool sawPoses() const { return sawPoses_; }
@@ -53,8 +61,10 @@ class RawlogPoses {
 
  private:
   void add(Ticks time, const Eigen::Isometry3d& mapFromRobot);
+  bool fileOfRobot() const { return options_.poseOf == PoseSubject::Robot; }
 
   InputOptions options_;
+  std::optional<PoseFile> file_;
   Ticks offset_;
   PoseBuffer buffer_;
   std::optional<std::string> label_;

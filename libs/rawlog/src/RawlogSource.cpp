@@ -53,6 +53,7 @@ std::string listOf(const std::map<std::string, std::uint64_t>& counts) {
 RawlogSource::RawlogSource(const std::filesystem::path& file, const InputOptions& options)
     : options_(options), reader_(file), sweeps_(file), poses_(options) {
   if (!options.sensorLabel.empty()) sensorLabel_ = options.sensorLabel;
+  if (options.withoutPoses) options_.deskew = Deskew::Off;
 }
 
 bool RawlogSource::next(PosedScan& scan) {
@@ -142,7 +143,7 @@ void RawlogSource::takeScan(const CObservation::Ptr& observation) {
   }
   lastTime_ = time;
   if (!firstScanTime_) firstScanTime_ = time;
-  poses_.placeScan(time);
+  poses_.placeScan(index, time);
   waiting_.push_back({observation, index, time, reader_.place()});
 }
 
@@ -150,6 +151,7 @@ void RawlogSource::load(const Waiting& from, const Eigen::Isometry3d& mapFromRob
                         PosedScan& scan) {
   readPoints(*from.observation, reader_.file(), from.place, scan);
   placeScan(*from.observation, mapFromRobot, from.place, scan);
+  if (poses_.ofSensor()) scan.mapFromSensor = mapFromRobot;
   scan.index = from.index;
   const bool fromPackets = !scan.points.ring.empty();
   if (!fromPackets && !sweeps_.addTo(scan, from.observation->sensorLabel)) ++withoutSweep_;
@@ -192,11 +194,13 @@ void RawlogSource::failWithoutScans() const {
         "give a log with CObservationPointCloud or CObservationVelodyneScan");
   if (poses_.count() == 0 && poses_.sawOdometry() && !poses_.sawPoses())
     throw UserError(file, "holds no poses of the robot, only odometry",
-                    "add CObservationRobotPose (from SLAM), or set input.pose_source=odometry");
+                    "give poses with --poses FILE, find them with --odometry, or set "
+                    "input.pose_source=odometry");
   if (poses_.count() == 0)
-    throw UserError(file, "holds no poses of the robot that can be used",
-                    "add CObservationRobotPose (from SLAM) to the log, see input.pose_label and "
-                    "input.pose_source");
+    throw UserError(
+        file, "holds no poses of the robot that can be used",
+        "give poses with --poses FILE, or find them with --odometry; see input.pose_label "
+        "too");
   if (!firstScanTime_)
     throw UserError(file, "none of its scans has a time stamp", "record the log again");
   throw UserError(file,

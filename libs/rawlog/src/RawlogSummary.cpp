@@ -68,7 +68,7 @@ class RawlogSurvey {
 
   void lookAtPoints(CObservation& observation, StreamSummary& stream) {
     const Ticks time = observation.timestamp.time_since_epoch().count();
-    poses_.placeScan(time);
+    poses_.placeScan(stream.count - 1, time);
     scanTimes_.push_back(time);
     if (!readPointsOf(observation)) return;
     const std::uint64_t points = scan_.points.size();
@@ -106,8 +106,7 @@ class RawlogSurvey {
     summary_.scans = scanTimes_.size();
     for (const Ticks time : scanTimes_) summary_.scansWithoutPose += !poses_.at(time).has_value();
     summary_.poses = poses_.count();
-    for (const auto& [time, pose] : poses_.buffer().all())
-      addPosition(pose.translation(), summary_);
+    for (const Eigen::Isometry3d& pose : poses_.path()) addPosition(pose.translation(), summary_);
     poses_.appendWarnings(summary_.path.string(), summary_.warnings);
   }
 

@@ -19,6 +19,14 @@ enum class Deskew {
   Off    ///< never
 };
 
+/// What the poses of a pose file are of.
+enum class PoseSubject {
+  Automatic,  ///< the camera for a file in KITTI format where the folder has calib.txt, else sensor
+  Sensor,     ///< the LiDAR
+  Robot,      ///< the robot (base_link): the sensor's pose on it comes from the log
+  Camera      ///< KITTI's camera: needs calib.txt
+};
+
 /// How inputs are read. Section "input".
 struct InputOptions : Options {
   /// Label of the sensor whose scans are read; "" = the first one met.
@@ -26,6 +34,11 @@ struct InputOptions : Options {
   /// Label of the pose observations that are used; "" = the first one met.
   std::string poseLabel;
   PoseSource poseSource = PoseSource::Observations;
+  /// File with poses in TUM or KITTI format (see PoseFile) that replace those of the input; "" =
+  /// none.
+  std::string poseFile;
+  /// What the poses of poseFile are of.
+  PoseSubject poseOf = PoseSubject::Automatic;
   /// A scan between two poses is used only if both are at most this far away in time [s].
   double maxPoseGap = 0.1;
   /// Added to the time stamp of a scan before its pose is looked up [s].
@@ -34,6 +47,9 @@ struct InputOptions : Options {
   int lookAhead = 64;
   /// Time between scans of a KITTI folder that has no times.txt [s].
   double scanPeriod = 0.1;
+  /// Gives every scan the identity for a pose, whatever poses there are: for programs that find the
+  /// poses themselves. No option of users.
+  bool withoutPoses = false;
 
   /// Compensation of the sensor's motion during a sweep.
   Deskew deskew = Deskew::Auto;

@@ -51,4 +51,12 @@ class PoseFile {
 void writePoseFile(const std::filesystem::path& file, PoseFileFormat format,
                    const std::vector<double>& times, const std::vector<Eigen::Isometry3d>& poses);
 
+/// camera <- LiDAR of a KITTI folder with calib.txt; the identity for any other input. In KITTI
+/// format, poses of such a folder are by custom the camera's: P = Tr * mapFromLidar * Tr^-1.
+Eigen::Isometry3d cameraFromLidarOf(const std::filesystem::path& input);
+
+/// The camera's pose from the LiDAR's (map <- LiDAR) as in KITTI's files: P above.
+Eigen::Isometry3d cameraPose(const Eigen::Isometry3d& lidarPose,
+                             const Eigen::Isometry3d& cameraFromLidar);
+
 }  // namespace toss
