@@ -46,6 +46,7 @@ int run(int argc, char** argv) {
   toss::addEvalCommand(program, verbosity);
   toss::addSnapshotCommand(program, verbosity);
   toss::addInfoCommand(program, verbosity);
+  toss::addCheckCommand(program, verbosity);
   toss::addOdometryCommand(program, verbosity);
   toss::addConfigCommand(program, verbosity);
   toss::addBenchmarkCommand(program, verbosity);

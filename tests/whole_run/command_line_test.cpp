@@ -9,7 +9,7 @@ using ::testing::HasSubstr;
 TEST(CommandLine, EveryCommandHasHelpWithAnExample) {
   for (const std::string command :
        {"map", "import", "import kitti", "import ouster", "import velodyne", "import pcd",
-        "simulate", "eval", "snapshot", "info", "odometry", "config", "benchmark",
+        "simulate", "eval", "snapshot", "info", "check", "odometry", "config", "benchmark",
         "benchmark semantickitti"}) {
     const ProgramRun run = runProgram(command + " --help");
     EXPECT_EQ(run.code, 0) << command;

@@ -19,13 +19,16 @@ constexpr std::size_t kChunk = 128;
 /// distance from each other, so that their residuals are some three times as large.
 constexpr double kScatteredWeight = 0.1;
 
+/// Scale of Alignment::fit [m^2].
+constexpr double kFitScale = 0.01;
+
 /// The normal equations of one Gauss-Newton step; unknowns: translation, rotation vector about the
 /// sensor (near it the rotation is well conditioned wherever the map's origin is).
 struct NormalEquations {
   Matrix6 matrix = Matrix6::Zero();
   Vector6 vector = Vector6::Zero();
   std::size_t pairs = 0, paired = 0;
-  double fitness = 0.0;
+  double fitness = 0.0, fit = 0.0;
 
   void add(const Eigen::Vector3d& arm, const Eigen::Vector3d& residual, double weight) {
     Eigen::Matrix<double, 3, 6> jacobian;
@@ -47,6 +50,7 @@ struct NormalEquations {
   void add(const NormalEquations& other) {
     paired += other.paired;
     fitness += other.fitness;
+    fit += other.fit;
     matrix += other.matrix;
     vector += other.vector;
     pairs += other.pairs;
@@ -69,8 +73,10 @@ NormalEquations equationsOf(const std::vector<Eigen::Vector3d>& points, std::siz
     const Eigen::Vector3d normal = nearest.normal.cast<double>();
     const bool plane = nearest.surface == Surface::Plane;
     const double distance = normal.dot(residual);
-    const double root = scale / (scale + (plane ? distance * distance : nearest.squaredDistance));
+    const double squared = plane ? distance * distance : nearest.squaredDistance;
+    const double root = scale / (scale + squared);
     sum.fitness += root;
+    sum.fit += kFitScale / (kFitScale + squared);
     if (plane)
       sum.add(arm, normal, distance, root * root);
     else
@@ -123,6 +129,7 @@ Alignment align(const std::vector<Eigen::Vector3d>& points, const LocalMap& map,
     const NormalEquations sum = equationsOf(points, map, result.mapFromSensor, limits);
     result.overlap =
         points.empty() ? 0.0 : static_cast<double>(sum.paired) / static_cast<double>(points.size());
+    result.fit = points.empty() ? 0.0 : sum.fit / static_cast<double>(points.size());
     result.weakestHold = weakestHold(sum.matrix);
     if (sum.pairs < kFewestPairs) return result;
     const Vector6 step = -sum.matrix.ldlt().solve(sum.vector);

@@ -32,7 +32,7 @@ class LidarOdometry {
   double threshold() const { return threshold_.sigma(); }
 
  private:
-  void takePoints(const PosedScan& scan, const Eigen::Isometry3d& motion, double period);
+  void takeScan(const PosedScan& scan, const Eigen::Isometry3d& motion, double period);
 
   OdometryOptions options_;
   LocalMap map_;
@@ -40,6 +40,8 @@ class LidarOdometry {
   Alignment alignment_;
   /// Returns in range [m, sensor frame], thinned for the map, and thinned for the alignment.
   std::vector<Eigen::Vector3d> points_, mapPoints_, sourcePoints_;
+  /// Numbers in the scan of points_.
+  std::vector<std::size_t> index_;
   /// Poses (map <- sensor) and times [s] of the scan before and of the one before that.
   Eigen::Isometry3d last_ = Eigen::Isometry3d::Identity();
   /// last <- next, if the motion goes on as it was, and the time that it takes [s].

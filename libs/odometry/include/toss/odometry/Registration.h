@@ -27,6 +27,9 @@ struct Alignment {
   bool converged = false;
   /// Share of the points that have a pair, 0 to 1.
   double overlap = 0.0;
+  /// How sharply the points lie on the map: mean over all of them of a kernel of 10 cm, 0 to 1.
+  /// Unlike the robust kernel it does not change with the limits.
+  double fit = 0.0;
   /// How well the geometry holds the position in the direction in which it holds it worst: share of
   /// all pairs' weight that pulls there, 0 (not at all) to 1/3 (in all directions alike).
   double weakestHold = 0.0;
