@@ -37,10 +37,10 @@ std::unique_ptr<AtomicFolder> folderIf(bool wanted, const fs::path& folder) {
   return wanted ? std::make_unique<AtomicFolder>(folder) : nullptr;
 }
 
-MapPoint mapPoint(const PosedScan& scan, std::size_t i) {
+MapPoint mapPoint(const PosedScan& scan, std::size_t i, const Eigen::Vector3d& offset) {
   const PointCloud& p = scan.points;
   const Eigen::Vector3f inMap =
-      (scan.mapFromSensor * Eigen::Vector3d(p.x[i], p.y[i], p.z[i])).cast<float>();
+      (scan.mapFromSensor * Eigen::Vector3d(p.x[i], p.y[i], p.z[i]) - offset).cast<float>();
   return {inMap.x(), inMap.y(), inMap.z(), p.intensity.empty() ? 0.0f : p.intensity[i]};
 }
 
@@ -51,39 +51,51 @@ MapOutputs::MapOutputs(const MapRequest& request, const RenderOptions& render)
       labels_(folder_ / "labels"),
       liveLabels_(folderIf(request.liveLabels, folder_ / "live_labels")),
       instances_(folderIf(request.instances, folder_ / "instances")),
-      movingPoints_(folder_ / "moving_points.ply", PlyWriter::Layout::PointsWithTrack),
       tracks_(folder_ / "tracks.csv"),
       filtered_(folder_ / "filtered.rawlog"),
+      staticSample_(static_cast<std::size_t>(render.maxPoints)),
       movingSample_(static_cast<std::size_t>(render.maxPoints)) {
   content_.name = inputName(request);
 }
 
-void MapOutputs::addLive(const ScanLabels& labels) {
+void MapOutputs::writeLive(const ScanLabels& labels) const {
   writeLabels(labelPath(liveLabels_->temporaryPath(), labels.scan), toFileLabels(labels));
 }
 
-void MapOutputs::addInstances(std::uint64_t scan, const Segmentation& segmentation) {
+void MapOutputs::writeInstances(std::uint64_t scan, const Segmentation& segmentation) const {
   writeLabels(labelPath(instances_->temporaryPath(), scan), toFileLabels(segmentation));
 }
 
-void MapOutputs::addSettled(const PosedScan& scan, const ScanLabels& labels) {
+void MapOutputs::writeFinal(const ScanLabels& labels) const {
   writeLabels(labelPath(labels_.temporaryPath(), labels.scan), toFileLabels(labels));
+}
+
+void MapOutputs::addSettled(const PosedScan& scan, const ScanLabels& labels,
+                            const Eigen::Vector3d& offset) {
+  content_.offset = offset;
   filtered_.add(scan, labels);
   tracks_.add(labels);
-  paths_.add(labels);
-  content_.trajectory.push_back(scan.mapFromSensor.translation());
+  paths_.add(labels, offset);
+  content_.trajectory.push_back(scan.mapFromSensor.translation() - offset);
   ++counts_.scans;
   counts_.points += labels.state.size();
+  addMoving(scan, labels);
+  for (const TrackSample& sample : labels.tracks)
+    counts_.tracks = std::max<std::uint64_t>(counts_.tracks, sample.track);
+}
+
+void MapOutputs::addMoving(const PosedScan& scan, const ScanLabels& labels) {
+  if (!movingPoints_)
+    movingPoints_ = std::make_unique<PlyWriter>(
+        folder_ / "moving_points.ply", PlyWriter::Layout::PointsWithTrack, content_.offset);
   for (std::size_t i = 0; i < labels.state.size(); ++i) {
     if (labels.state[i] == PointState::Invalid) ++counts_.invalid;
     if (labels.state[i] != PointState::Moving) continue;
     ++counts_.moving;
-    const MapPoint point = mapPoint(scan, i);
-    movingPoints_.add(point, labels.track[i]);
+    const MapPoint point = mapPoint(scan, i, content_.offset);
+    movingPoints_->add(point, labels.track[i]);
     movingSample_.add(point);
   }
-  for (const TrackSample& sample : labels.tracks)
-    counts_.tracks = std::max<std::uint64_t>(counts_.tracks, sample.track);
 }
 
 void MapOutputs::addTimes(std::uint64_t scan,
@@ -108,22 +120,35 @@ void MapOutputs::writeTimings() const {
 }
 
 void MapOutputs::removeEarlierRun() const {
-  for (const char* name : {"summary.json", "live_labels", "instances", "snapshots"})
+  for (const char* name :
+       {"summary.json", "resources.json", "live_labels", "instances", "snapshots"})
     fs::remove_all(folder_ / name);
 }
 
-void MapOutputs::finish(const std::vector<MapPoint>& staticMap) {
+void MapOutputs::writeStaticMap(const Pipeline& pipeline) {
+  const fs::path ply = folder_ / "static_map.ply";
+  PlyWriter map(ply, PlyWriter::Layout::Points, content_.offset);
+  pipeline.visitStaticMap([&](const MapPoint& point) {
+    map.add(point);
+    staticSample_.add(point);
+  });
+  counts_.mapPoints = map.count();
+  map.finish();
+  copyToMetricMap(ply, folder_ / "static_map.metricmap");
+}
+
+void MapOutputs::finish(const Pipeline& pipeline) {
   removeEarlierRun();
-  writePly(folder_ / "static_map.ply", staticMap);
-  writeMetricMap(folder_ / "static_map.metricmap", staticMap);
-  movingPoints_.finish();
+  writeStaticMap(pipeline);
+  movingPoints_->finish();
   tracks_.finish();
   filtered_.finish();
   labels_.commit();
   if (liveLabels_) liveLabels_->commit();
   if (instances_) instances_->commit();
   writeTimings();
-  content_.staticPoints = staticMap;
+  content_.staticPoints = staticSample_.points();
+  content_.staticCount = counts_.mapPoints;
   content_.movingPoints = movingSample_.points();
   content_.tracks = paths_.paths();
   counts_.movingTracks = content_.tracks.size();

@@ -21,7 +21,8 @@ namespace toss {
 
 /// Counts of a run, for summary.json.
 struct RunCounts {
-  std::uint64_t scans = 0, points = 0, invalid = 0, moving = 0, tracks = 0, movingTracks = 0;
+  std::uint64_t scans = 0, points = 0, invalid = 0, moving = 0, tracks = 0, movingTracks = 0,
+                mapPoints = 0;
 };
 
 /// The files of a run, written as labels become final, under temporary names until finish().
@@ -30,15 +31,17 @@ class MapOutputs {
   /// Throws UserError where the output can not be written or holds what must not be replaced.
   MapOutputs(const MapRequest& request, const RenderOptions& render);
 
-  /// Live labels of a scan.
-  void addLive(const ScanLabels& labels);
-  /// What segmentation made of a scan, for the evaluator's bounds.
-  void addInstances(std::uint64_t scan, const Segmentation& segmentation);
-  /// Final labels of a scan, with the scan.
-  void addSettled(const PosedScan& scan, const ScanLabels& labels);
+  /// Writes label files of a scan: live labels, what segmentation made of it (for the evaluator's
+  /// bounds), and final labels. May be called from several threads, for scans in any order.
+  void writeLive(const ScanLabels& labels) const;
+  void writeInstances(std::uint64_t scan, const Segmentation& segmentation) const;
+  void writeFinal(const ScanLabels& labels) const;
+  /// Everything else of a scan whose labels are final, in order of the scans.
+  /// `offset` [m]: taken off all coordinates of maps and pictures, the same for all scans.
+  void addSettled(const PosedScan& scan, const ScanLabels& labels, const Eigen::Vector3d& offset);
   void addTimes(std::uint64_t scan, const std::vector<std::pair<std::string, double>>& times);
   /// Writes what is left and gives all files their names. Files of an earlier run are gone then.
-  void finish(const std::vector<MapPoint>& staticMap);
+  void finish(const Pipeline& pipeline);
 
   /// What pictures show; complete after finish().
   const MapContent& content() const { return content_; }
@@ -48,17 +51,20 @@ class MapOutputs {
 
  private:
   void removeEarlierRun() const;
+  void addMoving(const PosedScan& scan, const ScanLabels& labels);
+  void writeStaticMap(const Pipeline& pipeline);
   void writeTimings() const;
 
   std::filesystem::path folder_;
   AtomicFolder labels_;
   /// Empty where they are not asked for.
   std::unique_ptr<AtomicFolder> liveLabels_, instances_;
-  PlyWriter movingPoints_;
+  /// Made with the first scan, which tells the offset.
+  std::unique_ptr<PlyWriter> movingPoints_;
   TracksCsvWriter tracks_;
   FilteredRawlogWriter filtered_;
   TrackPathCollector paths_;
-  PointSample movingSample_;
+  PointSample staticSample_, movingSample_;
   MapContent content_;
   RunCounts counts_;
   std::vector<std::uint64_t> timedScans_;

@@ -8,6 +8,7 @@
 #include <toss/rawlog/AtomicFile.h>
 #include <toss/rawlog/AtomicFolder.h>
 #include <toss/rawlog/ScanSource.h>
+#include <toss/rawlog/TileFolder.h>
 #include <toss/render/RenderUnavailable.h>
 #include <toss/render/SceneFile.h>
 #include <toss/render/Snapshots.h>
@@ -20,23 +21,33 @@
 #include "MapSummary.h"
 #include "OdometryRun.h"
 #include "Progress.h"
+#include "ResourceReport.h"
 #include "ScanRange.h"
 #include "SensorOfInput.h"
 
 namespace toss {
 namespace {
 
-/// A scan on its way through the program.
+/// Labels that are final, with the scan.
+struct SettledScan {
+  PosedScan scan;
+  ScanLabels labels;
+};
+
+/// A scan on its way through the program, and what became final with it.
 struct Passage {
+  /// Whether it is of a scan, as against one of those that are settled at the end.
+  bool ofScan = true;
   PosedScan scan;
   double progress = 0.0;
   ScanLabels live;
   Segmentation segmentation;
   std::vector<std::pair<std::string, double>> times;
-  std::vector<ScanLabels> settled;
+  std::vector<SettledScan> settled;
 };
 
-/// The stages of the program around the pipeline: reading, method and writing, each in order.
+/// The stages of the program around the pipeline: reading, method, and the writing of settled scans
+/// in three steps, of which only that of the label files, one each, does not go in order.
 class MapRunner {
  public:
   MapRunner(const MapRequest& request, const RunConfiguration& configuration,
@@ -44,31 +55,52 @@ class MapRunner {
       : request_(request),
         scans_(request.input, configuration.input, request.from, request.to),
         settledScans_(request.input, configuration.input, request.from, request.to),
-        pipeline_(configuration.pipeline, sensor),
+        tiles_(request.output / "map_tiles"),
+        pipeline_(configuration.pipeline, sensor, &tiles_),
         outputs_(request, configuration.render),
         progress_("mapping", "scans", quiet) {}
 
   void run() {
-    constexpr std::size_t kScansInFlight = 6;
     const auto inOrder = tbb::filter_mode::serial_in_order;
-    using Item = std::shared_ptr<Passage>;
     tbb::parallel_pipeline(
         kScansInFlight,
         tbb::make_filter<void, Item>(inOrder, [&](tbb::flow_control& flow) { return read(flow); }) &
             tbb::make_filter<Item, Item>(inOrder, [&](Item item) { return process(item); }) &
-            tbb::make_filter<Item, void>(inOrder, [&](const Item& item) { write(*item); }));
+            writing());
     pipeline_.finish();
-    for (const ScanLabels& labels : pipeline_.takeSettled()) writeSettled(labels);
+    std::vector<ScanLabels> left = pipeline_.takeSettled();
+    auto next = left.begin();
+    tbb::parallel_pipeline(kScansInFlight,
+                           tbb::make_filter<void, Item>(inOrder, [&](tbb::flow_control& flow) {
+                             auto item = std::make_shared<Passage>();
+                             item->ofScan = false;
+                             if (next == left.end())
+                               flow.stop();
+                             else
+                               item->settled.push_back({PosedScan(), std::move(*next++)});
+                             return item;
+                           }) & writing());
     if (written_ == 0)
       throw UserError(request_.input.string(), "no scan in the chosen range has a pose",
                       "look at it with toss info");
-    outputs_.finish(pipeline_.staticMap());
+    outputs_.finish(pipeline_);
   }
 
   const MapOutputs& outputs() const { return outputs_; }
   const InputReport& inputReport() const { return scans_.report(); }
 
  private:
+  using Item = std::shared_ptr<Passage>;
+  static constexpr std::size_t kScansInFlight = 6;
+
+  tbb::filter<Item, void> writing() {
+    const auto inOrder = tbb::filter_mode::serial_in_order;
+    return tbb::make_filter<Item, Item>(inOrder, [&](Item item) { return readAgain(item); }) &
+           tbb::make_filter<Item, Item>(tbb::filter_mode::parallel,
+                                        [&](Item item) { return writeLabels(item); }) &
+           tbb::make_filter<Item, void>(inOrder, [&](const Item& item) { write(*item); });
+  }
+
   std::shared_ptr<Passage> read(tbb::flow_control& flow) {
     auto item = std::make_shared<Passage>();
     if (!scans_.next(item->scan)) flow.stop();
@@ -81,33 +113,43 @@ class MapRunner {
     if (request_.liveLabels) item->live = live;
     if (request_.instances) item->segmentation = pipeline_.segmentedScan().segmentation;
     item->times = pipeline_.stageTimes();
-    item->settled = pipeline_.takeSettled();
+    for (ScanLabels& labels : pipeline_.takeSettled())
+      item->settled.push_back({PosedScan(), std::move(labels)});
+    return item;
+  }
+
+  /// Settled scans are read once more: keeping all scans until their labels are final would need
+  /// memory that grows with the voting horizon.
+  Item readAgain(const Item& item) {
+    for (SettledScan& settled : item->settled)
+      if (!settledScans_.next(settled.scan) || settled.scan.index != settled.labels.scan)
+        throw UserError(request_.input.string(), "the input changed while it was read",
+                        "map it again when nothing writes to it");
+    return item;
+  }
+
+  Item writeLabels(const Item& item) const {
+    if (item->ofScan && request_.liveLabels) outputs_.writeLive(item->live);
+    if (item->ofScan && request_.instances)
+      outputs_.writeInstances(item->scan.index, item->segmentation);
+    for (const SettledScan& settled : item->settled) outputs_.writeFinal(settled.labels);
     return item;
   }
 
   void write(const Passage& item) {
-    if (request_.liveLabels) outputs_.addLive(item.live);
-    if (request_.instances) outputs_.addInstances(item.scan.index, item.segmentation);
+    for (const SettledScan& settled : item.settled)
+      outputs_.addSettled(settled.scan, settled.labels, pipeline_.mapOffset());
+    if (!item.ofScan) return;
     outputs_.addTimes(item.scan.index, item.times);
-    for (const ScanLabels& labels : item.settled) writeSettled(labels);
     progress_.update(++written_, item.progress);
-  }
-
-  /// The scan is read once more: keeping all scans until their labels are final would need memory
-  /// that grows with the voting horizon.
-  void writeSettled(const ScanLabels& labels) {
-    if (!settledScans_.next(settledScan_) || settledScan_.index != labels.scan)
-      throw UserError(request_.input.string(), "the input changed while it was read",
-                      "map it again when nothing writes to it");
-    outputs_.addSettled(settledScan_, labels);
   }
 
   const MapRequest& request_;
   ScanRange scans_, settledScans_;
+  TileFolder tiles_;
   Pipeline pipeline_;
   MapOutputs outputs_;
   Progress progress_;
-  PosedScan settledScan_;
   std::uint64_t written_ = 0;
 };
 
@@ -170,6 +212,7 @@ void runMap(const MapRequest& request, const Verbosity& verbosity) {
   const int threads = request.threads > 0 ? request.threads : tbb::info::default_concurrency();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
+  const ResourceReport resources(threads);
   RunConfiguration configuration = configure(request.configuration, "");
   std::optional<FoundPoses> found;
   if (request.odometry) found.emplace(request, configuration, verbosity.quiet);
@@ -183,6 +226,7 @@ void runMap(const MapRequest& request, const Verbosity& verbosity) {
   if (found) found->commit(configuration);
   draw(request, runner.outputs().content(), configuration.render);
   writeTextAtomically(request.output / "config.ini", sectionsToText(configuration.sections()));
+  resources.write(request.output / "resources.json", runner.outputs().counts().scans);
   writeSummary(request, configuration, runner.inputReport(), runner.outputs());
   if (verbosity.quiet) return;
   if (found) std::cout << found->note();

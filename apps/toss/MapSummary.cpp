@@ -49,7 +49,7 @@ void writeSummary(const MapRequest& request, RunConfiguration& configuration,
   json["points"] = {{"read", counts.points},
                     {"invalid", counts.invalid},
                     {"moving", counts.moving},
-                    {"static_map", outputs.content().staticPoints.size()}};
+                    {"static_map", counts.mapPoints}};
   json["tracks"] = {{"all", counts.tracks}, {"moving", counts.movingTracks}};
   json["warnings"] = input.warnings;
   json["options"] = optionsJson(configuration);
@@ -60,7 +60,7 @@ void printSummary(const MapRequest& request, const InputReport& input, const Map
   const RunCounts& counts = outputs.counts();
   std::cout << counts.scans << " scans mapped";
   if (input.skippedForPose > 0) std::cout << ", " << input.skippedForPose << " skipped (no pose)";
-  std::cout << ": " << outputs.content().staticPoints.size() << " map points, " << counts.moving
+  std::cout << ": " << counts.mapPoints << " map points, " << counts.moving
             << " moving returns removed, " << counts.movingTracks << " of " << counts.tracks
             << " tracks moved\n";
   double sum = 0.0;

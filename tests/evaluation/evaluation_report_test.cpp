@@ -91,6 +91,21 @@ TEST_F(Report, NamesThreadsAndProcessorWhereTheRunDoes) {
   EXPECT_EQ(report.version, "1.2");
 }
 
+TEST_F(Report, TellsWhatTheRunTook) {
+  EXPECT_EQ(toText(evaluate(truth_, run_)).find("The run took"), std::string::npos);
+  writeBytes(run_ / "resources.json", R"({"threads": 2, "processor": "CPU Y", "wall_seconds": 4.5,
+    "processor_seconds": 8, "scans_per_second": 20, "peak_memory_bytes": 5e8})");
+  const EvaluationReport report = evaluate(truth_, run_);
+  EXPECT_EQ(report.threads, "2");
+  EXPECT_EQ(report.processor, "CPU Y");
+  const std::string line =
+      "The run took 4.5 s (20.0 scans/s), 8.0 s of processor time, at most 500 MB";
+  EXPECT_NE(toText(report).find(line), std::string::npos) << toText(report);
+  EXPECT_NE(toJson(report).find("\"peak_memory_bytes\": 500000000"), std::string::npos);
+  writeBytes(run_ / "resources.json", "[]");
+  EXPECT_THROW(evaluate(truth_, run_), UserError);
+}
+
 TEST_F(Report, ScoresBoxesWhereBothSidesHaveThem) {
   EXPECT_FALSE(evaluate(truth_, run_).boxTracking);
   writeTracks(truth_ / "tracks.csv", 0.0);

@@ -150,6 +150,34 @@ TEST_P(StaticMaps, DynamicReturnsLeaveStaticOnesOfTheSameVoxelAlone) {
   EXPECT_TRUE(test::same(map->points(), before));
 }
 
+TEST_P(StaticMaps, WholeScansEqualTheirParts) {
+  std::mt19937 random(13);
+  constexpr std::int32_t kOwners = 9, kWithoutReturns = 4;
+  const auto whole = makeStaticMap(options(), {0, 0, 0}),
+             parts = makeStaticMap(options(), {0, 0, 0});
+  for (BoxId firstBox = 0; firstBox < 100; firstBox += kOwners) {
+    const RandomReturns returns(random, 2000, 3.0f);
+    std::vector<std::int32_t> owner(returns.all.size());
+    std::vector<bool> dynamic(kOwners, false);
+    std::vector<std::vector<std::int32_t>> of(kOwners);
+    for (int k = 1; k < kOwners; ++k) dynamic[static_cast<std::size_t>(k)] = random() % 2 == 0;
+    for (std::size_t i = 0; i < owner.size(); ++i) {
+      owner[i] = static_cast<std::int32_t>(random() % (kOwners + 1)) - 1;
+      if (owner[i] == kWithoutReturns) owner[i] = 0;
+      if (owner[i] >= 0) of[static_cast<std::size_t>(owner[i])].push_back(returns.all[i]);
+    }
+    whole->addScan(returns.scan(), owner, dynamic, firstBox);
+    parts->addPermanent(returns.scan(), of[0]);
+    for (std::size_t k = 1; k < kOwners; ++k)
+      if (k != kWithoutReturns) parts->addBox(firstBox + k, 0, returns.scan(), of[k], dynamic[k]);
+  }
+  EXPECT_TRUE(test::same(whole->points(), parts->points()));
+  EXPECT_THROW(whole->setDynamic(kWithoutReturns, true), std::logic_error);
+  for (BoxId box : {1, 2, 3, 5, 6, 7, 8})
+    for (StaticMap* map : {whole.get(), parts.get()}) map->setDynamic(box, box % 2 == 0);
+  EXPECT_TRUE(test::same(whole->points(), parts->points()));
+}
+
 TEST_P(StaticMaps, BoxesThatAreNotOpenAreLogicErrors) {
   std::mt19937 random(10);
   const RandomReturns returns(random, 5, 1.0f);

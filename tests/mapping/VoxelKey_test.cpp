@@ -25,5 +25,17 @@ TEST(VoxelKey, VoxelsOfABlockAreNextToEachOther) {
   EXPECT_NE(voxelKey(-4, 8, 4) >> 6, first >> 6);
 }
 
+TEST(VoxelKey, CubesOfBricksAreRunsOfKeys) {
+  for (int cube = 0; cube < 3; ++cube) {
+    const int edge = kBrickVoxels << cube;
+    const VoxelKey size = VoxelKey{1} << (kBrickShift + 3 * cube);
+    const VoxelKey first = voxelKey(-edge, 2 * edge, 0);
+    EXPECT_EQ(first % size, 0u);
+    EXPECT_EQ(voxelKey(-1, 3 * edge - 1, edge - 1), first + size - 1);
+    EXPECT_EQ(voxelKey(-edge / 2 - 1, 2 * edge + 1, edge / 2) / size, first / size);
+    EXPECT_NE(voxelKey(0, 2 * edge, 0) / size, first / size);
+  }
+}
+
 }  // namespace
 }  // namespace toss

@@ -37,6 +37,29 @@ TEST(MetricMapTest, IsOnePointMapForMrpt) {
   }
 }
 
+std::string inflated(const std::filesystem::path& file) {
+  mrpt::io::CFileGZInputStream stream(file.string());
+  std::string bytes;
+  char chunk[4096];
+  while (const std::size_t got = stream.Read(chunk, sizeof chunk)) bytes.append(chunk, got);
+  return bytes;
+}
+
+TEST(MetricMapTest, CopyOfAPlyIsTheObjectThatMrptWrites) {
+  const TemporaryFolder folder;
+  std::vector<MapPoint> points = somePoints();
+  for (int doublings = 0; doublings < 4; ++doublings) {
+    const std::vector<MapPoint> half = points;
+    points.insert(points.end(), half.begin(), half.end());
+  }
+  for (const auto& all : {points, std::vector<MapPoint>(), std::vector<MapPoint>{{1, 2, 3, 4}}}) {
+    writePly(folder / "map.ply", all);
+    copyToMetricMap(folder / "map.ply", folder / "copy.metricmap");
+    writeMetricMap(folder / "direct.metricmap", all);
+    EXPECT_TRUE(inflated(folder / "copy.metricmap") == inflated(folder / "direct.metricmap"));
+  }
+}
+
 TEST(MetricMapTest, IsReadBackAndTheSameBytesEachTime) {
   const TemporaryFolder folder;
   const auto points = somePoints();

@@ -78,10 +78,11 @@ inline std::map<std::string, std::string> filesIn(const fs::path& folder) {
   return files;
 }
 
-/// Expects the same files with the same bytes, but for the measured times.
+/// Expects the same files with the same bytes, but for what was measured.
 inline void expectSameFiles(const fs::path& a, const fs::path& b) {
   auto left = filesIn(a), right = filesIn(b);
-  left.erase("timings.csv"), right.erase("timings.csv");
+  for (const char* measured : {"timings.csv", "resources.json"})
+    left.erase(measured), right.erase(measured);
   ASSERT_FALSE(left.empty());
   for (const auto& [name, bytes] : left) EXPECT_TRUE(right.count(name)) << name;
   for (const auto& [name, bytes] : right) {

@@ -42,7 +42,7 @@ TEST_F(Outputs, AllFilesOfTheContractAreThereAndNothingElse) {
   EXPECT_THAT(names, ::testing::UnorderedElementsAre(
                          "static_map.ply", "static_map.metricmap", "moving_points.ply", "labels",
                          "tracks.csv", "filtered.rawlog", "scene.3Dscene", "snapshots",
-                         "summary.json", "timings.csv", "config.ini"));
+                         "summary.json", "timings.csv", "resources.json", "config.ini"));
 }
 
 TEST_F(Outputs, LabelsAreIndexAlignedAndHoldTheThreeClasses) {

@@ -87,6 +87,7 @@ EvaluationReport evaluateRun(const std::filesystem::path& truth,
   report.scansWithoutLabels = first.withoutRunLabels();
   if (!files.timings.empty()) report.stages = readStageTimes(files.timings);
   if (!files.summary.empty()) readSummary(files.summary, report);
+  if (!files.resources.empty()) readResources(files.resources, report);
   addWarnings(survey, report);
   if (progress) progress(1.0);
   return report;

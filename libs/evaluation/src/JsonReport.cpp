@@ -159,6 +159,10 @@ std::string toJson(const EvaluationReport& report) {
   json["times"] = {{"threads", report.threads},
                    {"processor", report.processor},
                    {"version", report.version},
+                   {"wall_seconds", report.wallSeconds},
+                   {"processor_seconds", report.processorSeconds},
+                   {"scans_per_second", report.scansPerSecond},
+                   {"peak_memory_bytes", report.peakMemoryBytes},
                    {"stages", stagesJson(report.stages)}};
   json["warnings"] = report.warnings;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

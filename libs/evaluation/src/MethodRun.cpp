@@ -47,7 +47,7 @@ std::vector<std::uint32_t> toFileLabels(const ScanLabels& labels) {
   std::vector<std::uint32_t> values(labels.state.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     const bool valid = labels.state[i] != PointState::Invalid;
-    values[i] = (valid ? (labels.track[i] & 0xFFFFu) << 16 : 0u) | classOf(labels.state[i]);
+    values[i] = (valid ? toFileTrack(labels.track[i]) << 16 : 0u) | classOf(labels.state[i]);
   }
   return values;
 }

@@ -59,6 +59,7 @@ RunFiles findRunFiles(const fs::path& runOrMap) {
   files.tracks = ifFile(runOrMap / "tracks.csv");
   files.timings = ifFile(runOrMap / "timings.csv");
   files.summary = ifFile(runOrMap / "summary.json");
+  files.resources = ifFile(runOrMap / "resources.json");
   if (files.labels.empty() && files.map.empty()) {
     throw UserError(runOrMap.string(), "holds neither labels nor static_map.ply",
                     "give the folder that toss map wrote, or a folder of .label files");

@@ -8,7 +8,7 @@ namespace toss {
 /// What of a run is there to be scored; empty paths for what is not.
 struct RunFiles {
   std::filesystem::path labels, liveLabels, instances;
-  std::filesystem::path map, tracks, timings, summary;
+  std::filesystem::path map, tracks, timings, summary, resources;
 };
 
 /// Looks into a run's folder, or takes a file as a map. Throws UserError where nothing can be

@@ -63,6 +63,20 @@ std::string textOf(const nlohmann::json& summary, const char* key) {
   return found->is_string() ? found->get<std::string>() : found->dump();
 }
 
+nlohmann::json readObject(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  nlohmann::json object = nlohmann::json::parse(in, nullptr, false);
+  if (!object.is_object())
+    throw UserError(file.string(), "is no JSON object", "run toss map again or remove the file");
+  return object;
+}
+
+/// The number of a key; 0 where there is none.
+double numberOf(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_number() ? found->get<double>() : 0.0;
+}
+
 }  // namespace
 
 std::vector<StageTime> readStageTimes(const std::filesystem::path& file) {
@@ -90,14 +104,20 @@ std::vector<StageTime> readStageTimes(const std::filesystem::path& file) {
 }
 
 void readSummary(const std::filesystem::path& file, EvaluationReport& report) {
-  std::ifstream in(file);
-  const nlohmann::json summary = nlohmann::json::parse(in, nullptr, false);
-  if (!summary.is_object()) {
-    throw UserError(file.string(), "is no JSON object", "run toss map again or remove the file");
-  }
+  const nlohmann::json summary = readObject(file);
   report.threads = textOf(summary, "threads");
   report.processor = textOf(summary, "processor");
   report.version = textOf(summary, "version");
+}
+
+void readResources(const std::filesystem::path& file, EvaluationReport& report) {
+  const nlohmann::json resources = readObject(file);
+  if (resources.contains("threads")) report.threads = textOf(resources, "threads");
+  if (resources.contains("processor")) report.processor = textOf(resources, "processor");
+  report.wallSeconds = numberOf(resources, "wall_seconds");
+  report.processorSeconds = numberOf(resources, "processor_seconds");
+  report.scansPerSecond = numberOf(resources, "scans_per_second");
+  report.peakMemoryBytes = numberOf(resources, "peak_memory_bytes");
 }
 
 }  // namespace toss

@@ -15,4 +15,8 @@ std::vector<StageTime> readStageTimes(const std::filesystem::path& file);
 /// Takes threads, processor and version from a run's summary.json where it names them.
 void readSummary(const std::filesystem::path& file, EvaluationReport& report);
 
+/// Takes threads, processor, times and memory from a run's resources.json where it names them.
+/// Throws UserError for a file that is no JSON object.
+void readResources(const std::filesystem::path& file, EvaluationReport& report);
+
 }  // namespace toss

@@ -123,6 +123,15 @@ void addStages(const EvaluationReport& report, Lines& lines) {
   }
 }
 
+void addResources(const EvaluationReport& report, Lines& lines) {
+  if (report.peakMemoryBytes <= 0.0) return;
+  constexpr double kMegabyte = 1e6;
+  lines.add("The run took %.1f s (%.1f scans/s), %.1f s of processor time, at most %.0f MB",
+            report.wallSeconds, report.scansPerSecond, report.processorSeconds,
+            report.peakMemoryBytes / kMegabyte);
+  lines.add("  %s threads of %s", report.threads.c_str(), report.processor.c_str());
+}
+
 }  // namespace
 
 std::string toText(const EvaluationReport& report) {
@@ -141,6 +150,7 @@ std::string toText(const EvaluationReport& report) {
   }
   addBounds(report, lines);
   addStages(report, lines);
+  addResources(report, lines);
   for (const std::string& warning : report.warnings) lines.addText("Warning: " + warning);
   return lines.text();
 }

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EveryReturnMap.h"
 
+#include <toss/mapping/MapOffset.h>
+
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
 namespace toss {
 
-EveryReturnMap::EveryReturnMap(const MappingOptions& options) {
+EveryReturnMap::EveryReturnMap(const MappingOptions& options, const Eigen::Vector3d& origin)
+    : origin_(mapOffset(origin)) {
   options.check();
 }
 
@@ -22,7 +25,7 @@ EveryReturnMap::GroupIndex EveryReturnMap::addGroup(const ScanReturns& scan, Ind
   for (const std::int32_t index : indices) {
     const auto i = static_cast<std::size_t>(index);
     const Eigen::Vector3d level(scan.level.x[i], scan.level.y[i], scan.level.z[i]);
-    const Eigen::Vector3f p = (level + scan.sensorPosition).cast<float>();
+    const Eigen::Vector3f p = (level + (scan.sensorPosition - origin_)).cast<float>();
     const float intensity = scan.intensity.empty() ? 0.0f : scan.intensity[i];
     if (!p.allFinite()) continue;
     group.points.push_back({p.x(), p.y(), p.z(), std::isfinite(intensity) ? intensity : 0.0f});
@@ -102,13 +105,16 @@ void EveryReturnMap::finish() {
   ofTrack_.clear();
 }
 
-std::vector<MapPoint> EveryReturnMap::points() const {
-  std::vector<MapPoint> result;
-  result.reserve(size_);
+void EveryReturnMap::visitPoints(const Eigen::Vector3d& offset,
+                                 const std::function<void(const MapPoint&)>& visit) const {
+  const Eigen::Vector3d shift = origin_ - offset;
   for (const Group& group : groups_) {
-    if (group.kept) result.insert(result.end(), group.points.begin(), group.points.end());
+    if (!group.kept) continue;
+    for (const MapPoint& point : group.points) {
+      const Eigen::Vector3f p = (Eigen::Vector3d(point.x, point.y, point.z) + shift).cast<float>();
+      visit({p.x(), p.y(), p.z(), point.intensity});
+    }
   }
-  return result;
 }
 
 std::size_t EveryReturnMap::ledgerBytes() const {

@@ -10,7 +10,7 @@ namespace toss {
 /// 16 bytes per return of the whole log.
 class EveryReturnMap : public StaticMap {
  public:
-  explicit EveryReturnMap(const MappingOptions& options);
+  EveryReturnMap(const MappingOptions& options, const Eigen::Vector3d& origin);
 
   void addPermanent(const ScanReturns& scan, IndexSpan indices) override;
   void addBox(BoxId box, TrackId track, const ScanReturns& scan, IndexSpan indices,
@@ -22,7 +22,9 @@ class EveryReturnMap : public StaticMap {
   void settleBox(BoxId box) override;
   void settleTrack(TrackId track) override { ofTrack_.erase(track); }
   void finish() override;
-  std::vector<MapPoint> points() const override;
+  void leaveBehind(const Eigen::Vector3d&) override {}
+  void visitPoints(const Eigen::Vector3d& offset,
+                   const std::function<void(const MapPoint&)>& visit) const override;
   std::size_t size() const override { return size_; }
   std::size_t ledgerBytes() const override;
   std::size_t leftOut() const override { return leftOut_; }
@@ -46,6 +48,9 @@ class EveryReturnMap : public StaticMap {
   /// Gives up the returns of a group that is not kept.
   void settle(GroupIndex group);
 
+  /// Added to all coordinates [m]; zero near the origin of the frame, where floats are exact
+  /// enough.
+  Eigen::Vector3d origin_;
   std::vector<Group> groups_;
   Boxes ofBox_;
   tsl::robin_map<TrackId, std::vector<GroupIndex>> ofTrack_;

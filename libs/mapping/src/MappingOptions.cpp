@@ -31,6 +31,15 @@ void MappingOptions::visit(OptionVisitor& visitor) {
                 "leaves more of them",
                 "spec 10, measure 3"},
                groundResidueHeight, 0.0, 1.0);
+  visitor.real({"tile_size", "m",
+                "Least edge of the parts of the map that wait on disk while they are far away; 0 "
+                "keeps all in memory; the map is the same",
+                "memory of long logs"},
+               tileSize, 0.0, 10000.0);
+  visitor.real({"tiles_keep_radius", "m",
+                "Parts of the map nearer than this stay in memory; the map is the same",
+                "ranges of sensors, and ways within voting.horizon"},
+               tilesKeepRadius, 0.0, 100000.0);
 }
 
 }  // namespace toss

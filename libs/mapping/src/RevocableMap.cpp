@@ -21,6 +21,8 @@ struct BoxLedger {
 
 struct RevocableMap::Implementation {
   VoxelMap voxels;
+  /// [m]
+  double keepRadius;
   tsl::robin_map<BoxId, BoxLedger> boxes;
   tsl::robin_map<TrackId, TraceLedger> traces;
 
@@ -33,9 +35,18 @@ struct RevocableMap::Implementation {
   }
 };
 
-RevocableMap::RevocableMap(const MappingOptions& options, const Eigen::Vector3d& origin) {
+RevocableMap::RevocableMap(const MappingOptions& options, const Eigen::Vector3d& origin,
+                           TileStore* store) {
   options.check();
-  implementation_.reset(new Implementation{VoxelMap(options.voxelSize, origin), {}, {}});
+  implementation_.reset(
+      new Implementation{VoxelMap(options.voxelSize, origin, options.tileSize, store),
+                         options.tilesKeepRadius,
+                         {},
+                         {}});
+}
+
+void RevocableMap::leaveBehind(const Eigen::Vector3d& position) {
+  implementation_->voxels.leaveBehind(position, implementation_->keepRadius);
 }
 
 RevocableMap::~RevocableMap() = default;
@@ -46,6 +57,10 @@ const VoxelMap& RevocableMap::voxels() const {
 
 void RevocableMap::addPermanent(const std::vector<VoxelContribution>& contributions) {
   implementation_->voxels.add(contributions);
+}
+
+void RevocableMap::addPermanent(const VoxelContribution* first, const VoxelContribution* last) {
+  implementation_->voxels.add(first, last);
 }
 
 void RevocableMap::addBox(BoxId box, TrackId track, std::vector<VoxelContribution> contributions,

@@ -1,126 +1,78 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VoxelBinning.h"
 
-#include <algorithm>
-#include <numeric>
-
-#include "RadixSort.h"
-
 namespace toss {
 
 namespace {
 
-constexpr double kFixedReach = 65536.0 * (1 << kVoxelKeyBits);
-constexpr float kLargestIntensity = 65535.0f;
-
-std::uint32_t fixedIntensity(float intensity) {
-  // Written so that NaN and infinities count as 0.
-  if (!(intensity > 0.0f) || intensity > 3e38f) return 0;
-  return static_cast<std::uint32_t>(std::min(intensity, kLargestIntensity) * 65536.0 + 0.5);
+void addTo(VoxelContribution& sum, const VoxelContribution& part) {
+  sum.count += part.count;
+  sum.x += part.x;
+  sum.y += part.y;
+  sum.z += part.z;
+  sum.intensity += part.intensity;
 }
 
-int bitWidth(std::uint64_t value) {
-  return value == 0 ? 0 : 64 - __builtin_clzll(value);
+std::size_t inBrick(VoxelKey key) {
+  return static_cast<std::size_t>(key & ((1u << kBrickShift) - 1));
 }
 
-/// A run of bits of a key, and how few bits tell its values apart over a set of keys.
-struct KeyField {
-  int shift, bits;
-  std::uint64_t least = ~std::uint64_t{0}, greatest = 0;
-
-  std::uint64_t of(VoxelKey key) const { return key >> shift & ((std::uint64_t{1} << bits) - 1); }
-  void see(VoxelKey key) {
-    least = std::min(least, of(key));
-    greatest = std::max(greatest, of(key));
-  }
-  int width() const { return bitWidth(greatest - least); }
-};
+/// The first `count` returns of a run.
+VoxelContribution beginOf(const VoxelRun& run, const VoxelReturns& returns, std::uint32_t count) {
+  std::vector<VoxelRun> part;
+  appendRuns(returns, run.begin, run.end, count, part);
+  return part.front().sum;
+}
 
 }  // namespace
 
-std::size_t VoxelBinning::take(const Axis& x, const Axis& y, const Axis& z, double scale,
-                               const std::vector<float>& intensity, IndexSpan indices) {
-  keys_.resize(indices.count);
-  returns_.resize(indices.count);
-  const float* const bright = intensity.empty() ? nullptr : intensity.data();
-  const auto inside = [](double fixed) { return fixed >= 0.0 && fixed < kFixedReach; };
-  std::size_t taken = 0;
-  for (const std::int32_t i : indices) {
-    const double fx = x.level[i] * scale + x.shift;
-    const double fy = y.level[i] * scale + y.shift;
-    const double fz = z.level[i] * scale + z.shift;
-    if (!inside(fx) || !inside(fy) || !inside(fz)) continue;
-    const auto ix = static_cast<std::int64_t>(fx), iy = static_cast<std::int64_t>(fy),
-               iz = static_cast<std::int64_t>(fz);
-    keys_[taken] = voxelKeyFromFirst(static_cast<std::uint32_t>(ix >> 16),
-                                     static_cast<std::uint32_t>(iy >> 16),
-                                     static_cast<std::uint32_t>(iz >> 16));
-    returns_[taken] = {bright ? fixedIntensity(bright[i]) : 0, static_cast<std::uint16_t>(ix),
-                       static_cast<std::uint16_t>(iy), static_cast<std::uint16_t>(iz)};
-    ++taken;
+std::size_t VoxelBinning::sum(const VoxelReturns& returns, std::uint32_t cap,
+                              BinnedReturns& result) {
+  std::vector<VoxelContribution>& sums = result.contributions;
+  sums.clear();
+  result.owners.clear();
+  runs_.clear();
+  const std::size_t leftOut = appendRuns(returns, 0, returns.count, cap, runs_);
+  sums.reserve(runs_.size());
+  for (const RunGrouping::Group& brick : grouping_.byOwnerAndBrick(runs_)) {
+    const std::uint32_t owner = brick.begin->owner;
+    if (result.owners.empty() || result.owners.back().owner != owner)
+      result.owners.push_back({owner, sums.size(), sums.size()});
+    makePlaces(brick, sums);
+    addBrick(returns, brick, cap, sums);
+    result.owners.back().end = sums.size();
   }
-  keys_.resize(taken);
-  returns_.resize(taken);
-  return indices.count - taken;
+  return leftOut;
 }
 
-int VoxelBinning::sortByVoxel() {
-  constexpr int local = 3 * kVoxelLocalBits, block = kVoxelBlockBits;
-  KeyField x{local + 2 * block, block}, y{local + block, block}, z{local, block};
-  for (const VoxelKey key : keys_) x.see(key), y.see(key), z.see(key);
-  const int placeBits = bitWidth(keys_.size());
-  const int keyBits = x.width() + y.width() + z.width() + local;
-  items_.resize(keys_.size());
-  if (keyBits + placeBits > 64) {
-    sortByComparison(placeBits);
-    return placeBits;
+void VoxelBinning::makePlaces(const RunGrouping::Group& brick,
+                              std::vector<VoxelContribution>& result) {
+  constexpr std::size_t kWords = (1u << kBrickShift) / 64;
+  std::uint64_t voxels[kWords] = {}, words = 0;
+  for (const VoxelRun* run = brick.begin; run != brick.end; ++run) {
+    const std::size_t voxel = inBrick(run->sum.key);
+    voxels[voxel / 64] |= std::uint64_t{1} << voxel % 64;
+    words |= std::uint64_t{1} << voxel / 64;
   }
-  const int yWidth = y.width(), zWidth = z.width();
-  for (std::size_t i = 0; i < keys_.size(); ++i) {
-    const VoxelKey key = keys_[i];
-    std::uint64_t item = x.of(key) - x.least;
-    item = item << yWidth | (y.of(key) - y.least);
-    item = item << zWidth | (z.of(key) - z.least);
-    item = item << local | (key & ((1u << local) - 1));
-    items_[i] = item << placeBits | i;
-  }
-  radixSort(items_, placeBits, keyBits, buffer_);
-  return placeBits;
-}
-
-void VoxelBinning::sortByComparison(int placeBits) {
-  std::iota(items_.begin(), items_.end(), std::uint64_t{0});
-  std::stable_sort(items_.begin(), items_.end(),
-                   [this](std::uint64_t a, std::uint64_t b) { return keys_[a] < keys_[b]; });
-  std::uint64_t rank = 0;
-  VoxelKey last = keys_[items_.front()];
-  for (std::uint64_t& item : items_) {
-    rank += keys_[item] != last;
-    last = keys_[item];
-    item |= rank << placeBits;
-  }
-}
-
-void VoxelBinning::sum(std::uint32_t cap, std::vector<VoxelContribution>& result) {
-  result.clear();
-  if (keys_.empty()) return;
-  const int placeBits = sortByVoxel();
-  std::uint64_t last = ~items_.front();
-  for (const std::uint64_t item : items_) {
-    const std::uint64_t place = item & ((std::uint64_t{1} << placeBits) - 1);
-    if (item >> placeBits != last >> placeBits) {
-      last = item;
+  const VoxelKey brickKey = brick.begin->sum.key >> kBrickShift << kBrickShift;
+  for (; words != 0; words &= words - 1) {
+    const auto word = static_cast<std::size_t>(__builtin_ctzll(words));
+    for (std::uint64_t left = voxels[word]; left != 0; left &= left - 1) {
+      const std::size_t voxel = 64 * word + static_cast<std::size_t>(__builtin_ctzll(left));
+      placeOf_[voxel] = static_cast<std::uint32_t>(result.size());
       result.emplace_back();
-      result.back().key = keys_[place];
+      result.back().key = brickKey | voxel;
     }
-    VoxelContribution& sum = result.back();
-    if (sum.count == cap) continue;
-    const Return& r = returns_[place];
-    ++sum.count;
-    sum.x += r.x;
-    sum.y += r.y;
-    sum.z += r.z;
-    sum.intensity += r.intensity;
+  }
+}
+
+void VoxelBinning::addBrick(const VoxelReturns& returns, const RunGrouping::Group& brick,
+                            std::uint32_t cap, std::vector<VoxelContribution>& result) const {
+  for (const VoxelRun* run = brick.begin; run != brick.end; ++run) {
+    VoxelContribution& sum = result[placeOf_[inBrick(run->sum.key)]];
+    const std::uint32_t room = cap - sum.count;
+    if (room == 0) continue;
+    addTo(sum, run->sum.count <= room ? run->sum : beginOf(*run, returns, room));
   }
 }
 

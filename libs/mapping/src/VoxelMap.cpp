@@ -7,21 +7,35 @@
 #include <string>
 
 #include "VoxelBinning.h"
-#include "VoxelTable.h"
+#include "VoxelTiles.h"
 
 namespace toss {
+
+namespace {
+
+VoxelBinning& threadsBinning() {
+  thread_local VoxelBinning binning;
+  return binning;
+}
+
+}  // namespace
 
 struct VoxelMap::Implementation {
   double voxelSize;
   Eigen::Vector3d origin;
-  VoxelTable table;
+  VoxelTiles tiles;
 
-  MapPoint point(const VoxelSum& sum) const;
+  MapPoint point(const VoxelSum& sum, const Eigen::Vector3d& offset) const;
   void checkReach(const Eigen::Vector3d& sensorPosition) const;
+  VoxelReturns returns(const float* x, const float* y, const float* z,
+                       const std::vector<float>& intensity,
+                       const Eigen::Vector3d& sensorPosition) const;
 };
 
-VoxelMap::VoxelMap(double voxelSize, const Eigen::Vector3d& origin)
-    : implementation_(new Implementation{voxelSize, origin, {}}) {
+VoxelMap::VoxelMap(double voxelSize, const Eigen::Vector3d& origin, double tileSize,
+                   TileStore* store)
+    : implementation_(
+          new Implementation{voxelSize, origin, VoxelTiles(tileSize / voxelSize, store)}) {
   if (!(voxelSize > 0.0) || !std::isfinite(voxelSize)) {
     throw UserError("map.voxel_size", "is not a length above 0", "give the edge of a voxel in m");
   }
@@ -39,60 +53,109 @@ void VoxelMap::Implementation::checkReach(const Eigen::Vector3d& sensorPosition)
                   "check the poses, or raise it");
 }
 
+VoxelReturns VoxelMap::Implementation::returns(const float* x, const float* y, const float* z,
+                                               const std::vector<float>& intensity,
+                                               const Eigen::Vector3d& sensorPosition) const {
+  checkReach(sensorPosition);
+  const double scale = 65536.0 / voxelSize;
+  const Eigen::Vector3d shift =
+      (sensorPosition - origin) * scale + Eigen::Vector3d::Constant(65536.0 * kVoxelReach);
+  return {{x, shift.x()},
+          {y, shift.y()},
+          {z, shift.z()},
+          scale,
+          intensity.empty() ? nullptr : intensity.data(),
+          nullptr,
+          0};
+}
+
 std::size_t VoxelMap::bin(const std::vector<float>& x, const std::vector<float>& y,
                           const std::vector<float>& z, const std::vector<float>& intensity,
                           const Eigen::Vector3d& sensorPosition, IndexSpan indices,
                           std::uint32_t cap, std::vector<VoxelContribution>& result) const {
-  implementation_->checkReach(sensorPosition);
-  thread_local VoxelBinning binning;
-  const double scale = 65536.0 / implementation_->voxelSize;
-  const Eigen::Vector3d shift = (sensorPosition - implementation_->origin) * scale +
-                                Eigen::Vector3d::Constant(65536.0 * kVoxelReach);
-  const std::size_t leftOut = binning.take({x.data(), shift.x()}, {y.data(), shift.y()},
-                                           {z.data(), shift.z()}, scale, intensity, indices);
-  binning.sum(cap, result);
+  VoxelReturns returns =
+      implementation_->returns(x.data(), y.data(), z.data(), intensity, sensorPosition);
+  returns.indices = indices.data;
+  returns.count = indices.count;
+  BinnedReturns binned;
+  binned.contributions.swap(result);
+  const std::size_t leftOut = threadsBinning().sum(returns, cap, binned);
+  result.swap(binned.contributions);
   return leftOut;
 }
 
+std::size_t VoxelMap::binByOwner(const std::vector<float>& x, const std::vector<float>& y,
+                                 const std::vector<float>& z, const std::vector<float>& intensity,
+                                 const Eigen::Vector3d& sensorPosition,
+                                 const std::vector<std::int32_t>& owner, std::uint32_t cap,
+                                 BinnedReturns& result) const {
+  VoxelReturns returns =
+      implementation_->returns(x.data(), y.data(), z.data(), intensity, sensorPosition);
+  returns.owner = owner.data();
+  returns.count = owner.size();
+  return threadsBinning().sum(returns, cap, result);
+}
+
 void VoxelMap::add(const std::vector<VoxelContribution>& contributions) {
-  implementation_->table.add(contributions);
+  add(contributions.data(), contributions.data() + contributions.size());
+}
+
+void VoxelMap::add(const VoxelContribution* first, const VoxelContribution* last) {
+  implementation_->tiles.add(first, last);
 }
 
 void VoxelMap::subtract(const std::vector<VoxelContribution>& contributions) {
   for (const VoxelContribution& c : contributions) {
-    implementation_->table.subtract({c.key, c.count, c.x, c.y, c.z, c.intensity});
+    implementation_->tiles.subtract({c.key, c.count, c.x, c.y, c.z, c.intensity});
   }
 }
 
 void VoxelMap::subtract(const std::vector<VoxelSum>& sums) {
-  for (const VoxelSum& sum : sums) implementation_->table.subtract(sum);
+  for (const VoxelSum& sum : sums) implementation_->tiles.subtract(sum);
 }
 
 std::size_t VoxelMap::size(std::uint32_t minCount) const {
-  if (minCount <= 1) return implementation_->table.size();
+  if (minCount <= 1) return implementation_->tiles.size();
   std::size_t result = 0;
-  implementation_->table.visit([&](const VoxelSum& sum) { result += sum.count >= minCount; });
+  implementation_->tiles.visit([&](const VoxelSum& sum) { result += sum.count >= minCount; });
   return result;
 }
 
-MapPoint VoxelMap::Implementation::point(const VoxelSum& sum) const {
+void VoxelMap::leaveBehind(const Eigen::Vector3d& position, double radius) {
+  const Eigen::Vector3d place = (position - implementation_->origin) / voxelSize();
+  implementation_->tiles.leaveBehind(
+      {place.x() + kVoxelReach, place.y() + kVoxelReach, place.z() + kVoxelReach},
+      radius / voxelSize());
+}
+
+std::size_t VoxelMap::tilesInStore() const {
+  return implementation_->tiles.tilesInStore();
+}
+
+MapPoint VoxelMap::Implementation::point(const VoxelSum& sum, const Eigen::Vector3d& offset) const {
   const auto index = voxelIndex(sum.key);
   const auto mean = [&sum](std::uint64_t total) {
     return static_cast<double>(total) / 65536.0 / static_cast<double>(sum.count);
   };
   const Eigen::Vector3d place(index[0] + mean(sum.x), index[1] + mean(sum.y),
                               index[2] + mean(sum.z));
-  const Eigen::Vector3f p = (origin + voxelSize * place).cast<float>();
+  const Eigen::Vector3f p = (origin - offset + voxelSize * place).cast<float>();
   return {p.x(), p.y(), p.z(), static_cast<float>(mean(sum.intensity))};
 }
 
-std::vector<MapPoint> VoxelMap::points(std::uint32_t minCount) const {
+std::vector<MapPoint> VoxelMap::points(std::uint32_t minCount,
+                                       const Eigen::Vector3d& offset) const {
   std::vector<MapPoint> result;
-  result.reserve(size(minCount));
-  implementation_->table.visit([&](const VoxelSum& sum) {
-    if (sum.count >= minCount) result.push_back(implementation_->point(sum));
-  });
+  result.reserve(implementation_->tiles.size());
+  visitPoints(minCount, offset, [&](const MapPoint& point) { result.push_back(point); });
   return result;
+}
+
+void VoxelMap::visitPoints(std::uint32_t minCount, const Eigen::Vector3d& offset,
+                           const std::function<void(const MapPoint&)>& visit) const {
+  implementation_->tiles.visit([&](const VoxelSum& sum) {
+    if (sum.count >= minCount) visit(implementation_->point(sum, offset));
+  });
 }
 
 double VoxelMap::voxelSize() const {
@@ -100,7 +163,7 @@ double VoxelMap::voxelSize() const {
 }
 
 std::size_t VoxelMap::bytes() const {
-  return implementation_->table.bytes();
+  return implementation_->tiles.bytes();
 }
 
 }  // namespace toss

@@ -3,8 +3,9 @@
 
 namespace toss {
 
-VoxelStaticMap::VoxelStaticMap(const MappingOptions& options, const Eigen::Vector3d& origin)
-    : map_(options, origin),
+VoxelStaticMap::VoxelStaticMap(const MappingOptions& options, const Eigen::Vector3d& origin,
+                               TileStore* store)
+    : map_(options, origin, store),
       cap_(static_cast<std::uint32_t>(options.cap)),
       minPoints_(static_cast<std::uint32_t>(options.minPoints)) {}
 
@@ -26,6 +27,20 @@ void VoxelStaticMap::addBox(BoxId box, TrackId track, const ScanReturns& scan, I
 
 void VoxelStaticMap::addToTrack(TrackId track, const ScanReturns& scan, IndexSpan indices) {
   map_.addToTrack(track, bin(scan, indices));
+}
+
+void VoxelStaticMap::addScan(const ScanReturns& scan, const std::vector<std::int32_t>& owner,
+                             const std::vector<bool>& dynamic, BoxId firstBox) {
+  leftOut_ += map_.voxels().binByOwner(scan.level.x, scan.level.y, scan.level.z, scan.intensity,
+                                       scan.sensorPosition, owner, cap_, binned_);
+  for (const BinnedReturns::Owner& each : binned_.owners) {
+    const VoxelContribution* const first = binned_.contributions.data() + each.begin;
+    const VoxelContribution* const last = binned_.contributions.data() + each.end;
+    if (each.owner == 0)
+      map_.addPermanent(first, last);
+    else
+      map_.addBox(firstBox + each.owner, 0, {first, last}, dynamic[each.owner]);
+  }
 }
 
 }  // namespace toss

@@ -9,19 +9,25 @@ namespace toss {
 /// The static map as voxels: bins the returns of each call and enters them into a RevocableMap.
 class VoxelStaticMap : public StaticMap {
  public:
-  VoxelStaticMap(const MappingOptions& options, const Eigen::Vector3d& origin);
+  VoxelStaticMap(const MappingOptions& options, const Eigen::Vector3d& origin, TileStore* store);
 
   void addPermanent(const ScanReturns& scan, IndexSpan indices) override;
   void addBox(BoxId box, TrackId track, const ScanReturns& scan, IndexSpan indices,
               bool dynamic) override;
   void addToTrack(TrackId track, const ScanReturns& scan, IndexSpan indices) override;
+  void addScan(const ScanReturns& scan, const std::vector<std::int32_t>& owner,
+               const std::vector<bool>& dynamic, BoxId firstBox) override;
   void setDynamic(BoxId box, bool dynamic) override { map_.setDynamic(box, dynamic); }
   void fold(BoxId box) override { map_.fold(box); }
   void revokeTrack(TrackId track) override { map_.revokeTrack(track); }
   void settleBox(BoxId box) override { map_.settleBox(box); }
   void settleTrack(TrackId track) override { map_.settleTrack(track); }
   void finish() override { map_.finish(); }
-  std::vector<MapPoint> points() const override { return map_.voxels().points(minPoints_); }
+  void leaveBehind(const Eigen::Vector3d& position) override { map_.leaveBehind(position); }
+  void visitPoints(const Eigen::Vector3d& offset,
+                   const std::function<void(const MapPoint&)>& visit) const override {
+    map_.voxels().visitPoints(minPoints_, offset, visit);
+  }
   std::size_t size() const override { return map_.voxels().size(minPoints_); }
   std::size_t ledgerBytes() const override { return map_.ledgerBytes(); }
   std::size_t leftOut() const override { return leftOut_; }
@@ -33,6 +39,7 @@ class VoxelStaticMap : public StaticMap {
   std::uint32_t cap_, minPoints_;
   std::size_t leftOut_ = 0;
   std::vector<VoxelContribution> contributions_;
+  BinnedReturns binned_;
 };
 
 }  // namespace toss

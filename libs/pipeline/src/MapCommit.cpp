@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapCommit.h"
 
+#include <array>
+
 namespace toss {
 namespace {
 
@@ -17,69 +19,51 @@ bool belongsInMap(PointClass pointClass, const MappingOptions& options) {
   }
 }
 
-/// Point indices grouped by owner: those of owner o are points[begin[o]] .. points[begin[o+1]-1].
-struct Grouping {
-  std::vector<std::int32_t> points, begin;
-
-  IndexSpan of(std::size_t owner) const {
-    return {points.data() + begin[owner],
-            static_cast<std::size_t>(begin[owner + 1] - begin[owner])};
+/// Owner of each return that goes into the map, below 0 for the others.
+std::vector<std::int32_t> ownersInMap(const MappingOptions& options, const ScanRecord& record) {
+  constexpr std::size_t kClasses = 256;
+  std::array<bool, kClasses> kept;
+  for (std::size_t c = 0; c < kClasses; ++c)
+    kept[c] = belongsInMap(static_cast<PointClass>(c), options);
+  std::vector<std::int32_t> owners(record.owner.size());
+  for (std::size_t i = 0; i < owners.size(); ++i) {
+    const bool goes = kept[static_cast<std::size_t>(record.pointClass[i])];
+    owners[i] = goes ? record.owner[i] : -1;
   }
-};
-
-Grouping groupByOwner(const ScanRecord& record, const MappingOptions& options) {
-  Grouping grouping;
-  grouping.begin.assign(record.owners.size() + 1, 0);
-  const std::size_t n = record.owner.size();
-  const std::vector<bool> loneMover = record.loneMoverMarks();
-  const auto belongs = [&](std::size_t i) {
-    return !loneMover[i] && belongsInMap(record.pointClass[i], options);
-  };
-  for (std::size_t i = 0; i < n; ++i)
-    if (belongs(i)) ++grouping.begin[static_cast<std::size_t>(record.owner[i]) + 1];
-  for (std::size_t o = 1; o < grouping.begin.size(); ++o)
-    grouping.begin[o] += grouping.begin[o - 1];
-  grouping.points.resize(static_cast<std::size_t>(grouping.begin.back()));
-  std::vector<std::int32_t> next(grouping.begin.begin(), grouping.begin.end() - 1);
-  for (std::size_t i = 0; i < n; ++i)
-    if (belongs(i)) {
-      std::int32_t& slot = next[static_cast<std::size_t>(record.owner[i])];
-      grouping.points[static_cast<std::size_t>(slot++)] = static_cast<std::int32_t>(i);
-    }
-  return grouping;
+  for (const std::int32_t point : record.loneMovers) owners[static_cast<std::size_t>(point)] = -1;
+  return owners;
 }
 
 }  // namespace
 
 void commitScan(const MappingOptions& options, const std::vector<bool>& movingOwners,
                 ScanRecord& record, BoxId& nextLedger, StaticMap& map) {
-  const Grouping grouping = groupByOwner(record, options);
-  const ScanReturns returns{record.level, record.intensity, record.sensorPosition};
-  map.addPermanent(returns, grouping.of(0));
+  const std::vector<std::int32_t> owners = ownersInMap(options, record);
+  for (const std::int32_t owner : owners)
+    if (owner > 0) record.owners[static_cast<std::size_t>(owner)].mapped = true;
   record.firstLedger = nextLedger;
   nextLedger += record.owners.size();
-  for (std::size_t o = 1; o < record.owners.size(); ++o)
-    map.addBox(record.firstLedger + o, record.owners[o].track, returns, grouping.of(o),
-               movingOwners[o]);
+  map.addScan({record.level, record.intensity, record.sensorPosition}, owners, movingOwners,
+              record.firstLedger);
   record.complete = true;
 }
 
 void previewScan(const MappingOptions& options, const std::vector<bool>& movingOwners,
-                 const ScanRecord& record, StaticMap& map) {
-  const Grouping grouping = groupByOwner(record, options);
-  const ScanReturns returns{record.level, record.intensity, record.sensorPosition};
-  for (std::size_t o = 0; o < record.owners.size(); ++o)
-    if (!movingOwners[o]) map.addPermanent(returns, grouping.of(o));
+                 const ScanRecord& record, BoxId& nextLedger, StaticMap& map) {
+  map.addScan({record.level, record.intensity, record.sensorPosition}, ownersInMap(options, record),
+              movingOwners, nextLedger);
+  nextLedger += record.owners.size();
 }
 
 void updateLedgers(const ScanRecord& record, const std::vector<bool>& movingOwners,
                    StaticMap& map) {
   for (std::size_t o = 1; o < record.owners.size(); ++o)
-    map.setDynamic(record.firstLedger + o, movingOwners[o]);
+    if (record.owners[o].mapped) map.setDynamic(record.firstLedger + o, movingOwners[o]);
 }
 
 void settleLedgers(const ScanRecord& record, StaticMap& map) {
-  for (std::size_t o = 1; o < record.owners.size(); ++o) map.settleBox(record.firstLedger + o);
+  for (std::size_t o = 1; o < record.owners.size(); ++o)
+    if (record.owners[o].mapped) map.settleBox(record.firstLedger + o);
 }
 
 }  // namespace toss

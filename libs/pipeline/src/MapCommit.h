@@ -13,9 +13,10 @@ namespace toss {
 void commitScan(const MappingOptions& options, const std::vector<bool>& movingOwners,
                 ScanRecord& record, BoxId& nextLedger, StaticMap& map);
 
-/// Enters the returns of a scan that is not complete, without those of moving owners.
+/// Enters the returns of a scan that is not complete, without those of moving owners. Counts
+/// `nextLedger` up.
 void previewScan(const MappingOptions& options, const std::vector<bool>& movingOwners,
-                 const ScanRecord& record, StaticMap& map);
+                 const ScanRecord& record, BoxId& nextLedger, StaticMap& map);
 
 /// Gives every ledger of a committed scan its owner's present label.
 void updateLedgers(const ScanRecord& record, const std::vector<bool>& movingOwners, StaticMap& map);

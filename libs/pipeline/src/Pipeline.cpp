@@ -8,8 +8,8 @@
 
 namespace toss {
 
-Pipeline::Pipeline(const PipelineOptions& options, const SensorModel& sensor)
-    : implementation_(std::make_unique<Implementation>(options, sensor)) {}
+Pipeline::Pipeline(const PipelineOptions& options, const SensorModel& sensor, TileStore* tiles)
+    : implementation_(std::make_unique<Implementation>(options, sensor, tiles)) {}
 
 Pipeline::~Pipeline() = default;
 
@@ -39,21 +39,34 @@ std::vector<ScanLabels> Pipeline::takeSettled() {
   return std::exchange(implementation_->settled, {});
 }
 
+const StaticMap* Pipeline::Implementation::presentMap() const {
+  if (!map) return nullptr;
+  for (std::size_t i = 0; i < committed; ++i)
+    updateLedgers(records[i], judge.final(records[i], false), *map);
+  return map.get();
+}
+
 std::vector<MapPoint> Pipeline::staticMap() const {
-  const Implementation& stages = *implementation_;
-  if (!stages.map) return {};
-  for (std::size_t i = 0; i < stages.committed; ++i)
-    updateLedgers(stages.records[i], stages.judge.final(stages.records[i], false), *stages.map);
-  return stages.map->points();
+  const StaticMap* map = implementation_->presentMap();
+  return map ? map->points() : std::vector<MapPoint>();
+}
+
+void Pipeline::visitStaticMap(const std::function<void(const MapPoint&)>& visit) const {
+  if (const StaticMap* map = implementation_->presentMap()) map->visitPoints(mapOffset(), visit);
+}
+
+Eigen::Vector3d Pipeline::mapOffset() const {
+  return implementation_->offset;
 }
 
 std::vector<MapPoint> Pipeline::pendingMap() const {
   const Implementation& stages = *implementation_;
   std::unique_ptr<StaticMap> map;
+  BoxId nextLedger = 0;
   for (std::size_t i = stages.committed; i < stages.records.size(); ++i) {
     const ScanRecord& record = stages.records[i];
     if (!map) map = makeStaticMap(stages.options.mapping, record.sensorPosition);
-    previewScan(stages.options.mapping, stages.judge.live(record, {}), record, *map);
+    previewScan(stages.options.mapping, stages.judge.live(record, {}), record, nextLedger, *map);
   }
   return map ? map->points() : std::vector<MapPoint>();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PipelineStages.h"
 
+#include <toss/mapping/MapOffset.h>
 #include <toss/tracking/BoundingBoxes.h>
 #include <toss/tracking/Occlusion.h>
 
@@ -11,7 +12,8 @@
 
 namespace toss {
 
-Pipeline::Implementation::Implementation(const PipelineOptions& o, const SensorModel& sensor)
+Pipeline::Implementation::Implementation(const PipelineOptions& o, const SensorModel& sensor,
+                                         TileStore* tileStore)
     : options(o),
       segmenter(o.projection, o.ground, o.objects, sensor),
       tracker(o.tracking, o.motion),
@@ -20,7 +22,8 @@ Pipeline::Implementation::Implementation(const PipelineOptions& o, const SensorM
       voting(o.voting),
       traces(o.decision, o.visibility.enabled),
       judge(options.decision, voting, traces),
-      builder(o.decision, o.mapping.groundResidueHeight) {
+      builder(o.decision, o.mapping.groundResidueHeight),
+      tiles(tileStore) {
   for (const Options* section : options.sections()) section->check();
 }
 
@@ -99,9 +102,13 @@ void Pipeline::Implementation::takeEvidence(const EvidenceCells& cells, ScanReco
 void Pipeline::Implementation::commitComplete(bool all) {
   const auto commitNext = [&] {
     ScanRecord& record = records[committed++];
-    if (!map) map = makeStaticMap(options.mapping, record.sensorPosition);
+    if (!map) {
+      map = makeStaticMap(options.mapping, record.sensorPosition, tiles);
+      offset = toss::mapOffset(record.sensorPosition);
+    }
     commitScan(options.mapping, judge.final(record, false), record, nextLedger, *map);
     builder.reuseReturns(record);
+    map->leaveBehind(record.sensorPosition);
   };
   if (options.visibility.enabled) {
     for (const EvidenceCells& cells : witness.takeComplete(all)) {

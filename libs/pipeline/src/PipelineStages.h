@@ -19,7 +19,7 @@ namespace toss {
 
 /// The stages of the method and what they hand to each other, for one run.
 struct Pipeline::Implementation {
-  Implementation(const PipelineOptions& options, const SensorModel& sensor);
+  Implementation(const PipelineOptions& options, const SensorModel& sensor, TileStore* tiles);
 
   /// Stages 1 to 3: every return gets a class, and an instance where it has one.
   void segment(const PosedScan& scan);
@@ -36,6 +36,8 @@ struct Pipeline::Implementation {
   /// Labels that nothing can change any more become final; with `all`, every label.
   void settle(bool all);
 
+  /// The map by present knowledge; nullptr before there is one.
+  const StaticMap* presentMap() const;
   void takeEvidence(const EvidenceCells& cells, ScanRecord& record);
   void setFinalClasses(const ScanRecord& record, bool last);
   void settleFirst();
@@ -50,7 +52,10 @@ struct Pipeline::Implementation {
   TraceBook traces;
   Judge judge;
   RecordBuilder builder;
+  TileStore* tiles;
   std::unique_ptr<StaticMap> map;
+  /// Taken off the points of the map that are visited [m]; known with the first scan.
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
 
   SegmentedScan segmented;
   std::vector<Detection> detections;

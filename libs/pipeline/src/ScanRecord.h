@@ -22,6 +22,8 @@ struct Owner {
   bool votes = false;
   /// An instance, as against a claim.
   bool instance = false;
+  /// Whether the static map has taken returns of it: then they have a ledger there.
+  bool mapped = false;
   /// What views say about the instance; empty for claims.
   FreeSpaceSum evidence;
 };

@@ -59,6 +59,8 @@ void OutputStream::writeObject(const mrpt::serialization::CSerializable& object)
 
 std::size_t OutputStream::Write(const void* buffer, std::size_t count) {
   if (!handle_) throw std::logic_error("OutputStream: written to after close()");
+  // Empty vectors have no address, which fwrite does not take.
+  if (count == 0) return 0;
   errno = 0;
   if (handle_->plain) {
     if (std::fwrite(buffer, 1, count, handle_->plain) != count) fail(errno);

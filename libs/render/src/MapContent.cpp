@@ -23,8 +23,20 @@ std::vector<TrackPath> valuesOf(const std::map<TrackId, TrackPath>& paths) {
   return values;
 }
 
-void appendPoints(std::vector<MapPoint>& target, const fs::path& file) {
-  std::vector<MapPoint> points = readPointCloudFile(file);
+/// The points of a file less the offset of the content, which is that of the first file.
+std::vector<MapPoint> readPoints(MapContent& content, const fs::path& file) {
+  Eigen::Vector3d offset;
+  std::vector<MapPoint> points = readPointCloudFile(file, offset);
+  if (content.staticPoints.empty()) content.offset = offset;
+  const Eigen::Vector3f shift = (offset - content.offset).cast<float>();
+  if (!shift.isZero(0.0f))
+    for (MapPoint& point : points) point.x += shift.x(), point.y += shift.y(), point.z += shift.z();
+  return points;
+}
+
+void appendStatic(MapContent& content, const fs::path& file) {
+  std::vector<MapPoint> points = readPoints(content, file);
+  std::vector<MapPoint>& target = content.staticPoints;
   if (target.empty())
     target = std::move(points);
   else
@@ -32,13 +44,16 @@ void appendPoints(std::vector<MapPoint>& target, const fs::path& file) {
 }
 
 void appendRun(MapContent& content, PointSample& moving, const fs::path& folder) {
-  appendPoints(content.staticPoints, folder / "static_map.ply");
+  appendStatic(content, folder / "static_map.ply");
   if (fs::exists(folder / "moving_points.ply"))
-    for (const MapPoint& point : readPointCloudFile(folder / "moving_points.ply"))
+    for (const MapPoint& point : readPoints(content, folder / "moving_points.ply"))
       moving.add(point);
   if (!fs::exists(folder / "tracks.csv")) return;
   std::map<TrackId, TrackPath> paths;
-  for (const TrackRow& row : readTracksCsv(folder / "tracks.csv")) addBox(paths, row.sample);
+  for (TrackRow& row : readTracksCsv(folder / "tracks.csv")) {
+    row.sample.box.center -= content.offset;
+    addBox(paths, row.sample);
+  }
   for (TrackPath& path : valuesOf(paths)) content.tracks.push_back(std::move(path));
 }
 
@@ -49,8 +64,11 @@ std::string nameOf(const fs::path& input) {
 
 }  // namespace
 
-void TrackPathCollector::add(const ScanLabels& labels) {
-  for (const TrackSample& sample : labels.tracks) addBox(paths_, sample);
+void TrackPathCollector::add(const ScanLabels& labels, const Eigen::Vector3d& offset) {
+  for (TrackSample sample : labels.tracks) {
+    sample.box.center -= offset;
+    addBox(paths_, sample);
+  }
 }
 
 std::vector<TrackPath> TrackPathCollector::paths() const {
@@ -64,7 +82,7 @@ MapContent readMapContent(const std::vector<fs::path>& inputs, std::size_t limit
     if (!content.name.empty()) content.name += " + ";
     content.name += nameOf(input);
     if (!fs::is_directory(input)) {
-      appendPoints(content.staticPoints, input);
+      appendStatic(content, input);
     } else if (fs::exists(input / "static_map.ply")) {
       appendRun(content, moving, input);
     } else {

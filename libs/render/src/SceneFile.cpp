@@ -69,10 +69,11 @@ mrpt::opengl::CSetOfObjects::Ptr makeTracks(const std::vector<TrackPath>& tracks
   return group;
 }
 
-void aimCamera(mrpt::opengl::COpenGLScene& scene, const Extent& extent) {
+void aimCamera(mrpt::opengl::COpenGLScene& scene, const Extent& extent,
+               const Eigen::Vector3d& offset) {
   const auto viewport = scene.getViewport();
   const double size = extent.size().norm();
-  const Eigen::Vector3d center = extent.center();
+  const Eigen::Vector3d center = extent.center() + offset;
   viewport->setCustomBackgroundColor({0.05f, 0.06f, 0.08f, 1.0f});
   viewport->setViewportClipDistances(static_cast<float>(0.001 * size + 0.05),
                                      static_cast<float>(20.0 * size + 100.0));
@@ -94,7 +95,8 @@ void writeScene(const MapContent& content, const std::filesystem::path& file,
   const MapColoring coloring = colorStaticMap(content.staticPoints, PictureColor::Height);
   auto run = mrpt::opengl::CSetOfObjects::Create();
   run->setName("toss_run");
-  run->setLocation(origin.x(), origin.y(), origin.z());
+  const Eigen::Vector3d place = origin + content.offset;
+  run->setLocation(place.x(), place.y(), place.z());
   run->insert(makeCloud(makeBatch(content.staticPoints, origin, limit, 0.1, coloring.colorOf),
                         "static_map"));
   run->insert(makeCloud(makeBatch(content.movingPoints, origin, limit, 0.1,
@@ -104,7 +106,7 @@ void writeScene(const MapContent& content, const std::filesystem::path& file,
   run->insert(makeTracks(content.tracks, origin));
   mrpt::opengl::COpenGLScene scene;
   scene.insert(run);
-  aimCamera(scene, extent);
+  aimCamera(scene, extent, content.offset);
   writeObjectFile(file, scene);
 }
 

@@ -2,6 +2,7 @@
 #include <toss/geometry/Error.h>
 #include <toss/render/Snapshots.h>
 
+#include <algorithm>
 #include <system_error>
 
 #include "MapColoring.h"
@@ -41,7 +42,8 @@ Picture staticPicture(const MapContent& content, const RenderOptions& options) {
                                      0.0, coloring.colorOf)};
   picture.overlay.title = titleOf("Static map", content.name);
   picture.overlay.subtitle =
-      countText(content.staticPoints.size(), "point") + ", " + sizeText(picture.subject.extent);
+      countText(std::max<std::size_t>(content.staticCount, content.staticPoints.size()), "point") +
+      ", " + sizeText(picture.subject.extent);
   addTrajectoryEntry(picture, options);
   picture.overlay.scale = coloring.scale;
   return picture;

@@ -69,8 +69,11 @@ struct EvaluationReport {
   std::optional<TrackingReport> tracking, boxTracking;
   std::vector<BoundReport> bounds;
   std::vector<StageTime> stages;
-  /// Threads, processor and version as the run's summary.json tells; "" where it does not.
+  /// Threads, processor and version as the run's resources.json and summary.json tell; "" where
+  /// they do not.
   std::string threads, processor, version;
+  /// What the run took as its resources.json tells [s, scans/s, bytes]; 0 where it does not.
+  double wallSeconds = 0.0, processorSeconds = 0.0, scansPerSecond = 0.0, peakMemoryBytes = 0.0;
   /// Plain sentences for the user.
   std::vector<std::string> warnings;
 };

@@ -36,8 +36,15 @@ struct MethodRun {
   std::vector<std::vector<TrackSample>> tracks;
 };
 
-/// Labels of a scan in the words of the label files: class in the low 16 bits, trace in the high
-/// ones.
+/// Number of a trace in label files, which have 16 bits for it: 1 .. 65535, used again from 1 on
+/// after them; 0 = none. Traces of one time are told apart all the same; tracks.csv has the full
+/// numbers.
+constexpr std::uint32_t toFileTrack(std::uint32_t track) {
+  return track == 0 ? 0 : (track - 1) % 65535 + 1;
+}
+
+/// Labels of a scan in the words of the label files: class in the low 16 bits, toFileTrack() in the
+/// high ones.
 std::vector<std::uint32_t> toFileLabels(const ScanLabels& labels);
 /// The same for segmentation: PointClass in the low 16 bits, instance in the high ones.
 std::vector<std::uint32_t> toFileLabels(const Segmentation& segmentation);

@@ -27,6 +27,11 @@ struct MappingOptions : Options {
   /// Ground returns inside the footprint of a dynamic box go with it where they are higher than
   /// this over the local ground plane [m].
   double groundResidueHeight = 0.02;
+  /// Least edge of the cubes of the map that are put on disk while they are far from the robot [m],
+  /// made larger to be 2^k times 16 voxels; 0 = the map stays in memory. Does not change the map.
+  double tileSize = 100.0;
+  /// Cubes that are nearer to the robot stay in memory [m].
+  double tilesKeepRadius = 300.0;
 
   const char* section() const override { return "map"; }
   void visit(OptionVisitor& visitor) override;

@@ -16,15 +16,20 @@ namespace toss {
 /// the present labels alone.
 class RevocableMap {
  public:
-  /// Throws UserError for options out of range.
-  RevocableMap(const MappingOptions& options, const Eigen::Vector3d& origin);
+  /// `store`: takes what is far away, see leaveBehind(). Throws UserError for options out of range.
+  RevocableMap(const MappingOptions& options, const Eigen::Vector3d& origin,
+               TileStore* store = nullptr);
   ~RevocableMap();
 
   /// The voxel map with what is static by present knowledge.
   const VoxelMap& voxels() const;
 
-  /// Adds returns that can not move any more: ground, background.
+  /// Puts tiles of the voxels into the store that are far from `position` [m, map frame].
+  void leaveBehind(const Eigen::Vector3d& position);
+
+  /// Adds returns that can not move any more: ground, background; by ascending key.
   void addPermanent(const std::vector<VoxelContribution>& contributions);
+  void addPermanent(const VoxelContribution* first, const VoxelContribution* last);
   /// Enters a box with its returns, by ascending key; they are in the map while the box is static.
   /// Throws std::logic_error for a box that was entered before.
   void addBox(BoxId box, TrackId track, std::vector<VoxelContribution> contributions, bool dynamic);

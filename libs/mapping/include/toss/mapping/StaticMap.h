@@ -7,6 +7,7 @@
 #include <toss/tracking/Track.h>
 #include <toss/voting/DsVoting.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -40,6 +41,11 @@ class StaticMap {
   /// Adds returns that have no box but go with a trace: in the map until revokeTrack, as if a
   /// static box of theirs had been folded. For what a predicted box claims.
   virtual void addToTrack(TrackId track, const ScanReturns& scan, IndexSpan indices) = 0;
+  /// Enters a whole scan: returns whose `owner` (shape [n]) is 0 as addPermanent does, those of
+  /// owner k > 0 as a box of the number firstBox + k without a trace does, where there are any;
+  /// those below 0 are passed over. `dynamic`: shape [owners].
+  virtual void addScan(const ScanReturns& scan, const std::vector<std::int32_t>& owner,
+                       const std::vector<bool>& dynamic, BoxId firstBox);
 
   /// Label of a box that is neither folded nor settled; std::logic_error for other boxes.
   virtual void setDynamic(BoxId box, bool dynamic) = 0;
@@ -56,8 +62,16 @@ class StaticMap {
   /// Settles everything.
   virtual void finish() = 0;
 
-  /// The map by present knowledge, in an order that depends on the returns alone.
-  virtual std::vector<MapPoint> points() const = 0;
+  /// Lets what is far from `position` [m, map frame] out of memory, where the map has a store.
+  virtual void leaveBehind(const Eigen::Vector3d& position) = 0;
+
+  /// Calls `visit` for each point of the map by present knowledge, in an order that depends on the
+  /// returns alone. Coordinates are less `offset` [m, map frame], so that maps far from the origin
+  /// of their frame keep their precision.
+  virtual void visitPoints(const Eigen::Vector3d& offset,
+                           const std::function<void(const MapPoint&)>& visit) const = 0;
+  /// All of them.
+  std::vector<MapPoint> points(const Eigen::Vector3d& offset = Eigen::Vector3d::Zero()) const;
   /// Points that points() would give.
   virtual std::size_t size() const = 0;
   /// Bytes held by ledgers, for reports.
@@ -68,8 +82,9 @@ class StaticMap {
 
 /// The map that `options` ask for: voxels, or every return where voxelSize is 0. `origin`: map
 /// coordinates [m] near which the map lies, e.g. the first sensor position; corner of voxel 0,0,0.
+/// `store`: outlives the map and takes its voxels that are far away; nullptr = all stay in memory.
 /// Throws UserError for options out of range.
 std::unique_ptr<StaticMap> makeStaticMap(const MappingOptions& options,
-                                         const Eigen::Vector3d& origin);
+                                         const Eigen::Vector3d& origin, TileStore* store = nullptr);
 
 }  // namespace toss

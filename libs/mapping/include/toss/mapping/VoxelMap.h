@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <toss/mapping/TileStore.h>
 #include <toss/mapping/VoxelKey.h>
 
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -37,6 +39,18 @@ struct VoxelContribution {
   std::uint64_t intensity = 0;
 };
 
+/// What the returns of one scan add to the voxels.
+struct BinnedReturns {
+  /// By ascending owner, and by ascending key within each.
+  std::vector<VoxelContribution> contributions;
+  /// Contributions [begin, end) of each owner that has any, by ascending owner.
+  struct Owner {
+    std::uint32_t owner;
+    std::size_t begin, end;
+  };
+  std::vector<Owner> owners;
+};
+
 /// Contributions to one voxel added up over many scans; members as in VoxelContribution.
 struct VoxelSum {
   VoxelKey key = 0;
@@ -57,7 +71,10 @@ class VoxelMap {
  public:
   /// `voxelSize` [m], greater than 0. `origin`: map coordinates [m] of the corner of voxel 0,0,0;
   /// keys reach 2^20 voxels from it each way. Throws UserError for a size out of range.
-  explicit VoxelMap(double voxelSize, const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
+  /// `tileSize` [m]: least edge of the cubes in which leaveBehind() puts what is far into `store`,
+  /// which outlives the map; 0 or nullptr = everything stays in memory.
+  explicit VoxelMap(double voxelSize, const Eigen::Vector3d& origin = Eigen::Vector3d::Zero(),
+                    double tileSize = 0.0, TileStore* store = nullptr);
   ~VoxelMap();
 
   /// Bins returns into voxels: level coordinates x, y, z [m] (shape [n]; see LevelPoints) plus
@@ -71,15 +88,36 @@ class VoxelMap {
                   const Eigen::Vector3d& sensorPosition, IndexSpan indices, std::uint32_t cap,
                   std::vector<VoxelContribution>& result) const;
 
+  /// The same for all returns of a scan at once, apart by owner: `owner` has shape [n], those below
+  /// 0 are passed over. `cap` holds per voxel and owner.
+  std::size_t binByOwner(const std::vector<float>& x, const std::vector<float>& y,
+                         const std::vector<float>& z, const std::vector<float>& intensity,
+                         const Eigen::Vector3d& sensorPosition,
+                         const std::vector<std::int32_t>& owner, std::uint32_t cap,
+                         BinnedReturns& result) const;
+
+  /// Adds contributions, by ascending key: all, or [first, last).
   void add(const std::vector<VoxelContribution>& contributions);
+  void add(const VoxelContribution* first, const VoxelContribution* last);
   /// Takes back what was added. Subtracting what was never added is a logic error and throws.
   void subtract(const std::vector<VoxelContribution>& contributions);
   void subtract(const std::vector<VoxelSum>& sums);
 
+  /// Puts tiles into the store that are farther than `radius` [m] from `position` [m, map frame]
+  /// and were not needed in the last calls; they come back when they are needed again.
+  void leaveBehind(const Eigen::Vector3d& position, double radius);
+  /// Tiles that are in the store.
+  std::size_t tilesInStore() const;
+
   /// Voxels that hold at least `minCount` returns.
   std::size_t size(std::uint32_t minCount = 1) const;
-  /// Centroid and mean intensity of every such voxel, by ascending key.
-  std::vector<MapPoint> points(std::uint32_t minCount = 1) const;
+  /// Centroid and mean intensity of every such voxel, by ascending key; map frame less `offset`
+  /// [m].
+  std::vector<MapPoint> points(std::uint32_t minCount = 1,
+                               const Eigen::Vector3d& offset = Eigen::Vector3d::Zero()) const;
+  /// The same one by one, in little more memory than that of one tile.
+  void visitPoints(std::uint32_t minCount, const Eigen::Vector3d& offset,
+                   const std::function<void(const MapPoint&)>& visit) const;
   double voxelSize() const;
   /// Bytes held, the table's load and records kept for growth included.
   std::size_t bytes() const;

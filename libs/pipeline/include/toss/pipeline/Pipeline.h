@@ -8,6 +8,7 @@
 #include <toss/pipeline/ScanLabels.h>
 #include <toss/segmentation/Segmenter.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -20,7 +21,9 @@ namespace toss {
 class Pipeline {
  public:
   /// Throws UserError for options out of range. `sensor`: beam geometry of all scans.
-  Pipeline(const PipelineOptions& options, const SensorModel& sensor);
+  /// `tiles`: outlives the pipeline and takes parts of the map that are far away; nullptr = the map
+  /// stays in memory.
+  Pipeline(const PipelineOptions& options, const SensorModel& sensor, TileStore* tiles = nullptr);
   ~Pipeline();
 
   /// Takes the next scan, later than the one before. Returns its live labels: decided with no
@@ -37,6 +40,11 @@ class Pipeline {
   /// The static map by present knowledge: voxel centroids, or every kept return where
   /// map.voxel_size is 0. Map frame [m].
   std::vector<MapPoint> staticMap() const;
+  /// The same point by point and without keeping it in memory, less mapOffset().
+  void visitStaticMap(const std::function<void(const MapPoint&)>& visit) const;
+  /// What has to be added to those points [m, map frame]: zero unless the log lies far from the
+  /// origin of its frame.
+  Eigen::Vector3d mapOffset() const;
   /// The scans that are not in staticMap() yet, the last few seconds: their returns without those
   /// of traces that move by what is known now, made into a map of their own. Nothing after
   /// finish().

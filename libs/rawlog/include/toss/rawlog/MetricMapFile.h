@@ -23,6 +23,11 @@ std::shared_ptr<mrpt::maps::CPointsMapXYZI> toPointsMap(const std::vector<MapPoi
 /// programs take a point map. Throws UserError where the file can not be written.
 void writeMetricMap(const std::filesystem::path& file, const std::vector<MapPoint>& points);
 
+/// Writes the points of a file that PlyWriter has written as PlyWriter::Layout::Points, coordinates
+/// as they are there, in constant memory: the object that writeMetricMap() writes. Throws
+/// UserError.
+void copyToMetricMap(const std::filesystem::path& ply, const std::filesystem::path& file);
+
 /// Writes one object of MRPT, gz-serialized: a .metricmap, a .3Dscene. Throws UserError where the
 /// file can not be written, a full disk included.
 void writeObjectFile(const std::filesystem::path& file,

@@ -22,7 +22,8 @@ struct TrackPath {
 /// Gathers the ways of the moving traces from the labels of one scan after the other.
 class TrackPathCollector {
  public:
-  void add(const ScanLabels& labels);
+  /// `offset` [m] is taken off the coordinates.
+  void add(const ScanLabels& labels, const Eigen::Vector3d& offset = Eigen::Vector3d::Zero());
   /// By ascending number of the trace.
   std::vector<TrackPath> paths() const;
 
@@ -30,13 +31,17 @@ class TrackPathCollector {
   std::map<TrackId, TrackPath> paths_;
 };
 
-/// What pictures and scenes of a run show; what is empty is left out. Map frame, [m].
+/// What pictures and scenes of a run show; what is empty is left out. Map frame less `offset`, [m].
 struct MapContent {
   /// Name of the input, for titles.
   std::string name;
   std::vector<MapPoint> staticPoints;
+  /// Points of the map of which they are a sample; 0 = they are all.
+  std::uint64_t staticCount = 0;
   /// Returns taken out as moving; of long runs a PointSample.
   std::vector<MapPoint> movingPoints;
+  /// Added to all coordinates [m]; not zero for maps far from the origin, see mapOffset().
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
   /// Positions of the sensor, in order of time.
   std::vector<Eigen::Vector3d> trajectory;
   std::vector<TrackPath> tracks;
