@@ -52,6 +52,30 @@ TEST(MapContentTest, ReadsRunsAndPointFilesTogether) {
   EXPECT_EQ(content.tracks[0].track, 8u);
 }
 
+TEST(MapContentTest, BringsFilesToTheOffsetOfTheFirst) {
+  const TemporaryFolder folder;
+  const Eigen::Vector3d utm(457000.0, 5428000.0, 0.0), near(456000.0, 5428000.0, 0.0);
+  fs::create_directory(folder / "run");
+  writePly(folder / "run" / "static_map.ply", {{1, 2, 3, 0.5f}}, utm);
+  writePly(folder / "run" / "moving_points.ply", {{7, 8, 9, 0.5f}}, utm);
+  writePly(folder / "other.ply", {{1234.5f, 11, 12, 1.0f}}, near);
+  TracksCsvWriter tracks(folder / "run" / "tracks.csv");
+  ScanLabels labels = labelsWith(0, true);
+  for (TrackSample& sample : labels.tracks) sample.box.center += utm;
+  tracks.add(labels);
+  tracks.finish();
+  const MapContent content = readMapContent({folder / "run", folder / "other.ply"}, 1000);
+  EXPECT_EQ(content.offset, utm);
+  ASSERT_EQ(content.staticPoints.size(), 2u);
+  EXPECT_EQ(content.staticPoints[0].x, 1.0f);
+  EXPECT_EQ(content.staticPoints[1].x, 234.5f);
+  EXPECT_EQ(content.movingPoints.at(0).z, 9.0f);
+  TrackPathCollector collector;
+  collector.add(labels, utm);
+  ASSERT_EQ(content.tracks.size(), collector.paths().size());
+  EXPECT_EQ(content.tracks[0].boxes[0].center, collector.paths()[0].boxes[0].center);
+}
+
 TEST(MapContentTest, NamesFoldersThatAreNoRun) {
   const TemporaryFolder folder;
   fs::create_directory(folder / "empty");
