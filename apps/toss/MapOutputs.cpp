@@ -151,7 +151,7 @@ void MapOutputs::finish(const Pipeline& pipeline) {
   content_.staticCount = counts_.mapPoints;
   content_.movingPoints = movingSample_.points();
   content_.tracks = paths_.paths();
-  counts_.movingTracks = content_.tracks.size();
+  content_.trackCount = counts_.movingTracks = paths_.count();
 }
 
 }  // namespace toss

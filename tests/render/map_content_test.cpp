@@ -34,6 +34,28 @@ TEST(MapContentTest, CollectsThePathsOfMovingTraces) {
   EXPECT_EQ(paths[1].boxes.size(), 2u);
 }
 
+TEST(MapContentTest, KeepsTheLongestPathsOfManyTraces) {
+  constexpr std::size_t kLimit = 10;
+  TrackPathCollector collector(kLimit);
+  for (std::uint64_t scan = 0; scan < 200; ++scan) {
+    ScanLabels labels;
+    labels.scan = scan;
+    TrackSample sample;
+    sample.moving = true;
+    sample.track = 1 + scan;
+    labels.tracks.push_back(sample);
+    // Every twentieth trace is seen for two scans.
+    if (scan % 20 == 1) labels.tracks.front().track = scan;
+    collector.add(labels);
+  }
+  const auto paths = collector.paths();
+  EXPECT_EQ(collector.count(), 190u);
+  EXPECT_LE(paths.size(), 2 * kLimit);
+  EXPECT_EQ(std::count_if(paths.begin(), paths.end(),
+                          [](const TrackPath& path) { return path.boxes.size() == 2; }),
+            10);
+}
+
 TEST(MapContentTest, ReadsRunsAndPointFilesTogether) {
   const TemporaryFolder folder;
   fs::create_directory(folder / "run");

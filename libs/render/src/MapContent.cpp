@@ -5,6 +5,8 @@
 #include <toss/render/MapContent.h>
 #include <toss/render/PointSample.h>
 
+#include <algorithm>
+
 namespace toss {
 namespace {
 
@@ -69,6 +71,19 @@ void TrackPathCollector::add(const ScanLabels& labels, const Eigen::Vector3d& of
     sample.box.center -= offset;
     addBox(paths_, sample);
   }
+  if (paths_.size() > 2 * limit_) dropShortest(labels);
+}
+
+void TrackPathCollector::dropShortest(const ScanLabels& labels) {
+  const auto isAlive = [&](TrackId track) {
+    return std::any_of(labels.tracks.begin(), labels.tracks.end(),
+                       [track](const TrackSample& sample) { return sample.track == track; });
+  };
+  std::vector<std::pair<std::size_t, TrackId>> over;
+  for (const auto& [track, path] : paths_)
+    if (!isAlive(track)) over.push_back({path.boxes.size(), track});
+  std::sort(over.begin(), over.end());
+  for (std::size_t i = 0; i + limit_ < over.size(); ++i, ++dropped_) paths_.erase(over[i].second);
 }
 
 std::vector<TrackPath> TrackPathCollector::paths() const {

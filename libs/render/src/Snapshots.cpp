@@ -68,8 +68,9 @@ Picture removedPicture(const MapContent& content, const RenderOptions& options) 
                                      0.0, coloring.colorOf)};
   addMoving(picture, content, options);
   picture.overlay.title = titleOf("Removed from the map", content.name);
-  picture.overlay.subtitle = countText(content.movingPoints.size(), "point") + " removed, " +
-                             countText(content.tracks.size(), "moving trace");
+  picture.overlay.subtitle =
+      countText(content.movingPoints.size(), "point") + " removed, " +
+      countText(std::max<std::size_t>(content.trackCount, content.tracks.size()), "moving trace");
   picture.overlay.entries = {{kStaticColor, "static"}, {kRemovedColor, "removed"}};
   return picture;
 }

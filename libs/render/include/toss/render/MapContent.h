@@ -19,16 +19,27 @@ struct TrackPath {
   std::vector<Box> boxes;
 };
 
-/// Gathers the ways of the moving traces from the labels of one scan after the other.
+/// Gathers the ways of the moving traces from the labels of one scan after the other: of long logs
+/// those that were seen moving in most scans, so that its memory does not grow with their number.
 class TrackPathCollector {
  public:
+  /// `limit`: traces that are over of which the ways are kept; up to as many more for a while.
+  explicit TrackPathCollector(std::size_t limit = 4000) : limit_(limit) {}
+
   /// `offset` [m] is taken off the coordinates.
   void add(const ScanLabels& labels, const Eigen::Vector3d& offset = Eigen::Vector3d::Zero());
   /// By ascending number of the trace.
   std::vector<TrackPath> paths() const;
+  /// Moving traces that came by.
+  std::uint64_t count() const { return dropped_ + paths_.size(); }
 
  private:
+  /// Drops the shortest ways of traces that are not in the scan of `labels` and thus over.
+  void dropShortest(const ScanLabels& labels);
+
+  std::size_t limit_;
   std::map<TrackId, TrackPath> paths_;
+  std::uint64_t dropped_ = 0;
 };
 
 /// What pictures and scenes of a run show; what is empty is left out. Map frame less `offset`, [m].
@@ -45,6 +56,8 @@ struct MapContent {
   /// Positions of the sensor, in order of time.
   std::vector<Eigen::Vector3d> trajectory;
   std::vector<TrackPath> tracks;
+  /// Moving traces of which they are the longest ways; 0 = they are all.
+  std::uint64_t trackCount = 0;
 };
 
 /// Puts together what is given to `toss snapshot`: point files (all static), and folders that
