@@ -43,8 +43,8 @@ TEST_F(Selection, KeepLeansTheVerdictAndIsWrittenIntoTheConfiguration) {
   const fs::path strict = map(rawlog(), "strict", "--no-snapshots --keep remove");
   const fs::path careful = map(rawlog(), "careful", "--no-snapshots --keep static");
   EXPECT_GT(moving(strict), moving(careful));
-  const fs::path again = map(rawlog(), "again",
-                             "--no-snapshots --config " + quoted(strict / "config.ini"));
+  const fs::path again =
+      map(rawlog(), "again", "--no-snapshots --config " + quoted(strict / "config.ini"));
   EXPECT_EQ(filesIn(strict / "labels"), filesIn(again / "labels"));
 }
 
