@@ -22,7 +22,7 @@ std::string withoutFileSections(const std::string& text) {
     const auto first = line.find_first_not_of(" \t");
     if (first == std::string::npos || line[first] != '[') continue;
     const std::string section = line.substr(first, line.find(']', first) + 1 - first);
-    skipping = section == "[input]" || section == "[render]";
+    skipping = section == "[input]" || section == "[odometry]" || section == "[render]";
   }
   return out.str();
 }
