@@ -75,8 +75,11 @@ void MapOutputs::addSettled(const PosedScan& scan, const ScanLabels& labels,
   content_.offset = offset;
   filtered_.add(scan, labels);
   tracks_.add(labels);
-  paths_.add(labels, offset);
-  content_.trajectory.push_back(scan.mapFromSensor.translation() - offset);
+  paths_[scan.sensorLabel].add(labels, offset);
+  ++scansOf_[scan.sensorLabel];
+  if (!shownLidar_) shownLidar_ = scan.sensorLabel;
+  if (scan.sensorLabel == *shownLidar_)
+    content_.trajectory.push_back(scan.mapFromSensor.translation() - offset);
   ++counts_.scans;
   counts_.points += labels.state.size();
   addMoving(scan, labels);
@@ -125,7 +128,7 @@ void MapOutputs::removeEarlierRun() const {
     fs::remove_all(folder_ / name);
 }
 
-void MapOutputs::writeStaticMap(const Pipeline& pipeline) {
+void MapOutputs::writeStaticMap(const MultiLidarPipeline& pipeline) {
   const fs::path ply = folder_ / "static_map.ply";
   PlyWriter map(ply, PlyWriter::Layout::Points, content_.offset);
   pipeline.visitStaticMap([&](const MapPoint& point) {
@@ -137,7 +140,7 @@ void MapOutputs::writeStaticMap(const Pipeline& pipeline) {
   copyToMetricMap(ply, folder_ / "static_map.metricmap");
 }
 
-void MapOutputs::finish(const Pipeline& pipeline) {
+void MapOutputs::finish(const MultiLidarPipeline& pipeline) {
   removeEarlierRun();
   writeStaticMap(pipeline);
   movingPoints_->finish();
@@ -150,8 +153,13 @@ void MapOutputs::finish(const Pipeline& pipeline) {
   content_.staticPoints = staticSample_.points();
   content_.staticCount = counts_.mapPoints;
   content_.movingPoints = movingSample_.points();
-  content_.tracks = paths_.paths();
-  content_.trackCount = counts_.movingTracks = paths_.count();
+  for (const auto& [label, paths] : paths_) {
+    for (TrackPath& path : paths.paths()) content_.tracks.push_back(std::move(path));
+    counts_.movingTracks += paths.count();
+  }
+  std::sort(content_.tracks.begin(), content_.tracks.end(),
+            [](const TrackPath& a, const TrackPath& b) { return a.track < b.track; });
+  content_.trackCount = counts_.movingTracks;
 }
 
 }  // namespace toss

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <toss/pipeline/Pipeline.h>
+#include <toss/pipeline/MultiLidarPipeline.h>
 #include <toss/pipeline/ScanLabels.h>
 #include <toss/rawlog/AtomicFolder.h>
 #include <toss/rawlog/FilteredRawlogWriter.h>
@@ -10,7 +10,9 @@
 #include <toss/render/MapContent.h>
 #include <toss/render/PointSample.h>
 
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,18 +43,20 @@ class MapOutputs {
   void addSettled(const PosedScan& scan, const ScanLabels& labels, const Eigen::Vector3d& offset);
   void addTimes(std::uint64_t scan, const std::vector<std::pair<std::string, double>>& times);
   /// Writes what is left and gives all files their names. Files of an earlier run are gone then.
-  void finish(const Pipeline& pipeline);
+  void finish(const MultiLidarPipeline& pipeline);
 
   /// What pictures show; complete after finish().
   const MapContent& content() const { return content_; }
   const RunCounts& counts() const { return counts_; }
+  /// Scans mapped, by label of the LiDAR.
+  const std::map<std::string, std::uint64_t>& scansOf() const { return scansOf_; }
   /// Milliseconds of each stage by scan, in the order of the scans.
   const std::vector<std::pair<std::string, std::vector<double>>>& times() const { return times_; }
 
  private:
   void removeEarlierRun() const;
   void addMoving(const PosedScan& scan, const ScanLabels& labels);
-  void writeStaticMap(const Pipeline& pipeline);
+  void writeStaticMap(const MultiLidarPipeline& pipeline);
   void writeTimings() const;
 
   std::filesystem::path folder_;
@@ -63,7 +67,11 @@ class MapOutputs {
   std::unique_ptr<PlyWriter> movingPoints_;
   TracksCsvWriter tracks_;
   FilteredRawlogWriter filtered_;
-  TrackPathCollector paths_;
+  /// By label of the LiDAR, whose scans hold its own traces only.
+  std::map<std::string, TrackPathCollector> paths_;
+  std::map<std::string, std::uint64_t> scansOf_;
+  /// Label of the LiDAR whose way is drawn: that of the first scan.
+  std::optional<std::string> shownLidar_;
   PointSample staticSample_, movingSample_;
   MapContent content_;
   RunCounts counts_;

@@ -17,13 +17,13 @@
 #include <memory>
 #include <optional>
 
+#include "LidarSetup.h"
 #include "MapOutputs.h"
 #include "MapSummary.h"
 #include "OdometryRun.h"
 #include "Progress.h"
 #include "ResourceReport.h"
 #include "ScanRange.h"
-#include "SensorOfInput.h"
 
 namespace toss {
 namespace {
@@ -50,15 +50,18 @@ struct Passage {
 /// in three steps, of which only that of the label files, one each, does not go in order.
 class MapRunner {
  public:
-  MapRunner(const MapRequest& request, const RunConfiguration& configuration,
-            const SensorModel& sensor, bool quiet)
+  MapRunner(const MapRequest& request, const std::vector<LidarSetup>& lidars,
+            const InputOptions& input, bool quiet)
       : request_(request),
-        scans_(request.input, configuration.input, request.from, request.to),
-        settledScans_(request.input, configuration.input, request.from, request.to),
+        scans_(request.input, input, request.from, request.to),
+        settledScans_(request.input, input, request.from, request.to),
         tiles_(request.output / "map_tiles"),
-        pipeline_(configuration.pipeline, sensor, &tiles_),
-        outputs_(request, configuration.render),
-        progress_("mapping", "scans", quiet) {}
+        pipeline_(&tiles_),
+        outputs_(request, lidars.front().configuration.render),
+        progress_("mapping", "scans", quiet) {
+    for (const LidarSetup& lidar : lidars)
+      pipeline_.add(lidar.label, lidar.configuration.pipeline, lidar.sensor.model);
+  }
 
   void run() {
     const auto inOrder = tbb::filter_mode::serial_in_order;
@@ -147,7 +150,7 @@ class MapRunner {
   const MapRequest& request_;
   ScanRange scans_, settledScans_;
   TileFolder tiles_;
-  Pipeline pipeline_;
+  MultiLidarPipeline pipeline_;
   MapOutputs outputs_;
   Progress progress_;
   std::uint64_t written_ = 0;
@@ -217,20 +220,28 @@ void runMap(const MapRequest& request, const Verbosity& verbosity) {
   std::optional<FoundPoses> found;
   if (request.odometry) found.emplace(request, configuration, verbosity.quiet);
   if (found) found->use(configuration);
-  const SensorChoice sensor = sensorOfInput(request.input, configuration, request.from, request.to);
-  configuration = configure(request.configuration, sensor.preset);
-  configuration.sensor.model = sensor.name;
+  const LidarSelection selection = selectLidars(request.input, configuration.input);
+  InputOptions input = configuration.input;
+  input.sensorLabels = selection.labels;
+  std::vector<LidarSetup> lidars =
+      setUpLidars(request.input, request.configuration, selection, input, request.from, request.to);
+  configuration = lidars.front().configuration;
+  if (lidars.size() == 1) configuration.sensor.model = lidars.front().sensor.name;
   if (found) found->use(configuration);
-  MapRunner runner(request, configuration, sensor.model, verbosity.quiet);
+  MapRunner runner(request, lidars, input, verbosity.quiet);
   runner.run();
   if (found) found->commit(configuration);
   draw(request, runner.outputs().content(), configuration.render);
-  writeTextAtomically(request.output / "config.ini", sectionsToText(configuration.sections()));
+  for (LidarSetup& lidar : lidars) lidar.configuration.input = configuration.input;
+  lidars.front().configuration.sensor = configuration.sensor;
+  writeTextAtomically(request.output / "config.ini", configurationText(lidars));
   resources.write(request.output / "resources.json", runner.outputs().counts().scans);
-  writeSummary(request, configuration, runner.inputReport(), runner.outputs());
+  InputReport report = runner.inputReport();
+  report.warnings.insert(report.warnings.end(), selection.notes.begin(), selection.notes.end());
+  writeSummary(request, lidars, report, runner.outputs());
   if (verbosity.quiet) return;
   if (found) std::cout << found->note();
-  printSummary(request, runner.inputReport(), runner.outputs());
+  printSummary(request, lidars, report, runner.outputs());
 }
 
 }  // namespace toss

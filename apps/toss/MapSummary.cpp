@@ -32,9 +32,24 @@ Json optionsJson(RunConfiguration& configuration) {
   return json;
 }
 
+std::uint64_t scansOf(const LidarSetup& lidar, const MapOutputs& outputs) {
+  const auto found = outputs.scansOf().find(lidar.label);
+  return found == outputs.scansOf().end() ? 0 : found->second;
+}
+
+Json lidarsJson(const std::vector<LidarSetup>& lidars, const MapOutputs& outputs) {
+  Json json = Json::array();
+  for (const LidarSetup& lidar : lidars)
+    json.push_back({{"label", lidar.label},
+                    {"model", lidar.sensor.model.name},
+                    {"preset", lidar.sensor.preset},
+                    {"scans", scansOf(lidar, outputs)}});
+  return json;
+}
+
 }  // namespace
 
-void writeSummary(const MapRequest& request, RunConfiguration& configuration,
+void writeSummary(const MapRequest& request, std::vector<LidarSetup>& lidars,
                   const InputReport& input, const MapOutputs& outputs) {
   const RunCounts& counts = outputs.counts();
   Json json;
@@ -51,18 +66,27 @@ void writeSummary(const MapRequest& request, RunConfiguration& configuration,
                     {"moving", counts.moving},
                     {"static_map", counts.mapPoints}};
   json["tracks"] = {{"all", counts.tracks}, {"moving", counts.movingTracks}};
+  if (lidars.size() > 1) json["lidars"] = lidarsJson(lidars, outputs);
   json["warnings"] = input.warnings;
-  json["options"] = optionsJson(configuration);
+  json["options"] = optionsJson(lidars.front().configuration);
   writeTextAtomically(request.output / "summary.json", json.dump(2) + "\n");
 }
 
-void printSummary(const MapRequest& request, const InputReport& input, const MapOutputs& outputs) {
+void printSummary(const MapRequest& request, const std::vector<LidarSetup>& lidars,
+                  const InputReport& input, const MapOutputs& outputs) {
   const RunCounts& counts = outputs.counts();
   std::cout << counts.scans << " scans mapped";
   if (input.skippedForPose > 0) std::cout << ", " << input.skippedForPose << " skipped (no pose)";
   std::cout << ": " << counts.mapPoints << " map points, " << counts.moving
             << " moving returns removed, " << counts.movingTracks << " of " << counts.tracks
             << " tracks moved\n";
+  if (lidars.size() > 1) {
+    std::cout << "LiDARs:";
+    for (const LidarSetup& lidar : lidars)
+      std::cout << (&lidar == &lidars.front() ? " '" : ", '") << lidar.label << "' "
+                << lidar.sensor.model.name << " " << scansOf(lidar, outputs) << " scans";
+    std::cout << "\n";
+  }
   double sum = 0.0;
   std::cout << std::fixed << std::setprecision(1) << "median ms per scan:";
   for (const auto& [stage, values] : outputs.times()) {

@@ -2,6 +2,7 @@
 #include "OdometryRun.h"
 
 #include <toss/odometry/LidarOdometry.h>
+#include <toss/rawlog/LidarSelection.h>
 
 #include <cstdio>
 
@@ -26,7 +27,7 @@ void judge(const Alignment& alignment, Trajectory& trajectory) {
 }  // namespace
 
 Trajectory findPoses(const ScanChoice& choice, const RunConfiguration& configuration, bool quiet) {
-  InputOptions input = configuration.input;
+  InputOptions input = withSelectedLidars(choice.input, configuration.input);
   input.withoutPoses = true;
   ScanRange scans(choice.input, input, choice.from, choice.to);
   LidarOdometry odometry(configuration.odometry);
@@ -34,6 +35,8 @@ Trajectory findPoses(const ScanChoice& choice, const RunConfiguration& configura
   Trajectory trajectory;
   PosedScan scan;
   while (scans.next(scan)) {
+    // Of several LiDARs the first one tells the way of all.
+    if (input.sensorLabels.size() > 1 && scan.sensorLabel != input.sensorLabels.front()) continue;
     trajectory.poses.push_back(odometry.add(scan));
     trajectory.times.push_back(scan.time);
     trajectory.scans.push_back(scan.index);

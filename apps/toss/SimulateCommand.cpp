@@ -19,6 +19,7 @@ struct SimulateRequest {
   SimulationOptions simulation;
   std::filesystem::path output;
   LogFormat format = LogFormat::Rawlog;
+  std::string secondSensor;
   bool list = false, raw = false;
 };
 
@@ -35,10 +36,12 @@ void simulate(SimulateRequest& request, bool quiet) {
                     "see toss simulate --list and toss simulate --help");
   request.simulation.compensated = !request.raw;
   Progress progress("simulating", "scans", quiet);
-  const SimulatedLog log =
-      simulateTo(request.output, request.format, request.simulation, [&](int done, int all) {
+  const SimulatedLog log = simulateTo(
+      request.output, request.format, request.simulation,
+      [&](int done, int all) {
         progress.update(static_cast<std::uint64_t>(done), static_cast<double>(done) / all);
-      });
+      },
+      request.secondSensor);
   if (quiet) return;
   std::cout << request.output.string() << ": " << log.scans << " scans, " << log.points
             << " returns, " << log.movingPoints << " of them on " << log.movers << " movers\n";
@@ -59,6 +62,8 @@ void addSimulateCommand(CLI::App& program, const Verbosity& verbosity) {
   command->add_option("--seed", request->simulation.seed, "Seed of all that is random")
       ->check(wholeNumber());
   command->add_option("--sensor", request->simulation.sensor, "Sensor model, such as VLP-16");
+  command->add_option("--second-sensor", request->secondSensor,
+                      "Model of a second LiDAR on the same robot, none unless given");
   command->add_option("--pose-noise", request->simulation.poseNoise,
                       "Errors of the poses: 0 = none, 1 = as of a good odometry");
   command->add_option("--format", request->format, "rawlog or kitti")

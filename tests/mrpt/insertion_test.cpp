@@ -121,6 +121,32 @@ TEST(MrptMap, TakesTheSensorThatIsAskedFor) {
   EXPECT_TRUE(map.insertObservation(*cloudObservation(1.6e9, scan, "roof")));
 }
 
+/// Another LiDAR, 0.5 m beside the first, whose scans come in between and hold other returns.
+TEST(MrptMap, HoldsWhatSeveralLidarsSee) {
+  const Eigen::Isometry3d beside = toss::test::poseOf(0.0, 0.5, 0.0, 0.0);
+  CDynamicFilteredPointsMap one, both;
+  one.insertionOptions = both.insertionOptions = vlp16();
+  for (const SimulatedScan& each : crossing()) {
+    const auto left = cloudObservation(1.6e9 + each.scan.time, each.scan, "left");
+    auto right = cloudObservation(1.6e9 + each.scan.time, each.scan, "right");
+    right->sensorPose = toMrpt(beside);
+    const auto robot = toMrpt(each.scan.mapFromSensor);
+    EXPECT_TRUE(one.insertObservation(*left, robot));
+    EXPECT_TRUE(both.insertObservation(*left, robot));
+    EXPECT_TRUE(both.insertObservation(*right, robot));
+  }
+  one.finish(), both.finish();
+  EXPECT_GT(both.points().size(), one.points().size() * 3 / 2);
+  // Each point of the first is there again, shifted.
+  std::size_t shifted = 0;
+  for (const MapPoint& point : pointsOf(one.points())) {
+    float squared = 0.0f;
+    both.points().kdTreeClosestPoint3D(point.x, point.y + 0.5f, point.z, squared);
+    shifted += squared < 0.1f * 0.1f;
+  }
+  EXPECT_GT(shifted, one.points().size() * 99 / 100);
+}
+
 TEST(MrptMap, SaysWhereAnExternalCloudIsMissing) {
   CDynamicFilteredPointsMap map;
   auto observation = mrpt::obs::CObservationPointCloud::Create();

@@ -4,6 +4,7 @@
 #include <toss/geometry/Error.h>
 #include <toss/rawlog/InputOptions.h>
 #include <toss/rawlog/LabelFile.h>
+#include <toss/rawlog/LidarSelection.h>
 
 namespace toss {
 namespace {
@@ -44,7 +45,7 @@ LabelledScans::LabelledScans(const std::filesystem::path& truth,
     : options_(options),
       trueLabels_(trueLabelsOf(truth)),
       runLabels_(runLabels),
-      source_(openScans(truth, input)) {}
+      source_(openScans(truth, withSelectedLidars(truth, input))) {}
 
 bool LabelledScans::hasLabels(std::uint64_t index) {
   if (!std::filesystem::exists(labelPath(trueLabels_, index))) return ++withoutTruth_, false;

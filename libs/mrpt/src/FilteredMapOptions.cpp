@@ -41,7 +41,7 @@ std::string readText(const std::string& file) {
 void PlugInOptions::visit(OptionVisitor& visitor) {
   const char* own = "TOSS";
   visitor.string({"sensor_label", "",
-                  "Label of the sensor whose scans are taken; empty takes the first one met.", own},
+                  "Label of the sensor whose scans are taken; empty takes all LiDARs.", own},
                  sensorLabel);
   visitor.string({"rawlog", "",
                   "The rawlog that is played: external clouds, rings and times of returns are "

@@ -3,8 +3,13 @@
 
 #include <toss/rawlog/ObservationPoints.h>
 
+#include <algorithm>
+
 namespace toss {
 namespace {
+
+/// Two LiDARs can't be nearer to each other [m].
+constexpr double kSamePlace = 0.01;
 
 std::string placeOf(const mrpt::obs::CObservation& observation) {
   return "observation '" + observation.sensorLabel + "' of " +
@@ -31,7 +36,6 @@ void readObservation(const mrpt::obs::CObservation& observation, const std::stri
 MappingSession::MappingSession(const FilteredMapOptions& options)
     : options_(options), configuration_(options.resolve("")) {
   const PlugInOptions& plugin = configuration_.plugin;
-  if (!plugin.sensorLabel.empty()) sensorLabel_ = plugin.sensorLabel;
   if (!plugin.rawlog.empty()) sweeps_.emplace(plugin.rawlog);
 }
 
@@ -40,55 +44,73 @@ bool MappingSession::refuse(const std::string& reason) {
   return true;
 }
 
+MappingSession::Lidar* MappingSession::lidarOf(const mrpt::obs::CObservation& observation) {
+  const std::string& label = observation.sensorLabel;
+  const auto found = std::find_if(lidars_.begin(), lidars_.end(),
+                                  [&](const Lidar& lidar) { return lidar.label == label; });
+  if (found != lidars_.end()) return &*found;
+  const std::string& wanted = configuration_.plugin.sensorLabel;
+  if (!wanted.empty() && label != wanted) {
+    refuse("scans of '" + label + "' are left out, '" + wanted +
+           "' is used; choose with plugin.sensor_label");
+    return nullptr;
+  }
+  mrpt::poses::CPose3D place;
+  observation.getSensorPose(place);
+  for (const Lidar& lidar : lidars_)
+    if (place.distanceTo(lidar.place) < kSamePlace) {
+      refuse("scans of '" + label + "' are left out, it sits where '" + lidar.label +
+             "' does; choose with plugin.sensor_label");
+      return nullptr;
+    }
+  lidars_.push_back({label, place});
+  return &lidars_.back();
+}
+
 bool MappingSession::refuses(const mrpt::obs::CObservation& observation) {
-  if (!sensorLabel_) sensorLabel_ = observation.sensorLabel;
-  if (observation.sensorLabel != *sensorLabel_)
-    return refuse("scans of '" + observation.sensorLabel + "' are left out, '" + *sensorLabel_ +
-                  "' is used; choose with plugin.sensor_label");
   if (observation.timestamp == INVALID_TIMESTAMP)
     return refuse("scans without a time stamp are left out");
-  if (lastTime_ && observation.timestamp <= *lastTime_)
+  const Lidar* lidar = lidarOf(observation);
+  if (lidar == nullptr) return true;
+  if (lidar->lastTime && observation.timestamp <= *lidar->lastTime)
     return refuse("scans that are not later than the one before are left out");
   return false;
 }
 
-void MappingSession::start() {
+void MappingSession::addLidar() {
   SensorChoice sensor;
   if (const std::string& wanted = configuration_.sensor.model; wanted != "auto")
     sensor = {sensorByName(wanted), wanted, wanted};
   else
     sensor = chooseSensor(scan_);
-  configuration_ = options_.resolve(sensor.preset);
-  pipeline_ = std::make_unique<Pipeline>(configuration_.pipeline, sensor.model);
+  pipeline_.add(scan_.sensorLabel, options_.resolve(sensor.preset).pipeline, sensor.model);
 }
 
 bool MappingSession::insert(const mrpt::obs::CObservation& observation,
                             const Eigen::Isometry3d& mapFromRobot) {
   if (refuses(observation)) return false;
   readObservation(observation, configuration_.plugin.rawlog, scan_);
-  if (scan_.points.empty() && !pipeline_) return false;
+  if (scan_.points.empty() && !pipeline_.has(observation.sensorLabel)) return false;
   placeScan(observation, mapFromRobot, placeOf(observation), scan_);
   if (sweeps_) sweeps_->addTo(scan_, observation.sensorLabel);
-  if (!pipeline_) start();
-  pipeline_->process(scan_);
-  pipeline_->takeSettled();
-  lastTime_ = observation.timestamp;
+  if (!pipeline_.has(scan_.sensorLabel)) addLidar();
+  pipeline_.process(scan_);
+  pipeline_.takeSettled();
+  lidarOf(observation)->lastTime = observation.timestamp;
   ++scan_.index;
   return true;
 }
 
 std::vector<MapPoint> MappingSession::presentMap() const {
-  if (!pipeline_) return {};
-  std::vector<MapPoint> points = pipeline_->staticMap();
-  const std::vector<MapPoint> pending = pipeline_->pendingMap();
+  std::vector<MapPoint> points = pipeline_.staticMap();
+  const std::vector<MapPoint> pending = pipeline_.pendingMap();
   points.insert(points.end(), pending.begin(), pending.end());
   return points;
 }
 
 std::vector<MapPoint> MappingSession::finish() {
-  if (!pipeline_) return {};
-  pipeline_->finish();
-  return pipeline_->staticMap();
+  pipeline_.finish();
+  return pipeline_.staticMap();
 }
 
 }  // namespace toss

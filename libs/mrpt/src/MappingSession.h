@@ -2,12 +2,12 @@
 #pragma once
 
 #include <mrpt/obs/CObservation.h>
+#include <mrpt/poses/CPose3D.h>
 #include <mrpt/system/COutputLogger.h>
 #include <toss/mrpt/FilteredMapOptions.h>
-#include <toss/pipeline/Pipeline.h>
+#include <toss/pipeline/MultiLidarPipeline.h>
 #include <toss/rawlog/SweepFolder.h>
 
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -27,8 +27,8 @@ class MappingSession {
   explicit MappingSession(const FilteredMapOptions& options);
 
   /// Takes the next scan; `mapFromRobot`: pose of the robot at its time. False where it is refused:
-  /// no points, no time stamp, not later than the one before, another sensor. Each reason is logged
-  /// once. Throws UserError where it can't be read.
+  /// no points, no time stamp, not later than the one before of its sensor, a sensor at the place
+  /// of another one. Each reason is logged once. Throws UserError where it can't be read.
   bool insert(const mrpt::obs::CObservation& observation, const Eigen::Isometry3d& mapFromRobot);
   /// Scans taken.
   std::uint64_t scanCount() const { return scan_.index; }
@@ -40,18 +40,26 @@ class MappingSession {
   std::vector<MapPoint> finish();
 
  private:
+  struct Lidar;
   bool refuses(const mrpt::obs::CObservation& observation);
+  /// nullptr where it is none of those that are taken.
+  Lidar* lidarOf(const mrpt::obs::CObservation& observation);
   bool refuse(const std::string& reason);
-  void start();
+  void addLidar();
 
   FilteredMapOptions options_;
   FilteredMapConfiguration configuration_;
   std::optional<SweepFolder> sweeps_;
-  std::unique_ptr<Pipeline> pipeline_;
+  MultiLidarPipeline pipeline_;
   /// The next scan; its index counts those taken.
   PosedScan scan_;
-  std::optional<std::string> sensorLabel_;
-  std::optional<mrpt::Clock::time_point> lastTime_;
+  /// A sensor whose scans are taken.
+  struct Lidar {
+    std::string label;
+    mrpt::poses::CPose3D place;
+    std::optional<mrpt::Clock::time_point> lastTime{};
+  };
+  std::vector<Lidar> lidars_;
   std::set<std::string> reasonsTold_;
   mrpt::system::COutputLogger log_{"toss::CDynamicFilteredPointsMap"};
 };

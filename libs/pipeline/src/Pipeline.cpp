@@ -8,8 +8,22 @@
 
 namespace toss {
 
+namespace {
+
+std::shared_ptr<SharedMap> newMap(TileStore* tiles) {
+  auto shared = std::make_shared<SharedMap>();
+  shared->tiles = tiles;
+  return shared;
+}
+
+}  // namespace
+
 Pipeline::Pipeline(const PipelineOptions& options, const SensorModel& sensor, TileStore* tiles)
-    : implementation_(std::make_unique<Implementation>(options, sensor, tiles)) {}
+    : implementation_(std::make_unique<Implementation>(options, sensor, newMap(tiles))) {}
+
+Pipeline::Pipeline(const PipelineOptions& options, const SensorModel& sensor, const Pipeline& other)
+    : implementation_(
+          std::make_unique<Implementation>(options, sensor, other.implementation_->shared)) {}
 
 Pipeline::~Pipeline() = default;
 
@@ -39,11 +53,15 @@ std::vector<ScanLabels> Pipeline::takeSettled() {
   return std::exchange(implementation_->settled, {});
 }
 
-const StaticMap* Pipeline::Implementation::presentMap() const {
-  if (!map) return nullptr;
+void Pipeline::Implementation::updateMap() const {
   for (std::size_t i = 0; i < committed; ++i)
-    updateLedgers(records[i], judge.final(records[i], false), *map);
-  return map.get();
+    updateLedgers(records[i], judge.final(records[i], false), *shared->map);
+}
+
+const StaticMap* Pipeline::Implementation::presentMap() const {
+  if (!shared->map) return nullptr;
+  for (const Implementation* each : shared->pipelines) each->updateMap();
+  return shared->map.get();
 }
 
 std::vector<MapPoint> Pipeline::staticMap() const {
@@ -56,7 +74,7 @@ void Pipeline::visitStaticMap(const std::function<void(const MapPoint&)>& visit)
 }
 
 Eigen::Vector3d Pipeline::mapOffset() const {
-  return implementation_->offset;
+  return implementation_->shared->offset;
 }
 
 std::vector<MapPoint> Pipeline::pendingMap() const {

@@ -6,6 +6,7 @@
 #include <toss/tracking/Occlusion.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "MapCommit.h"
 #include "ScanLabeling.h"
@@ -13,18 +14,24 @@
 namespace toss {
 
 Pipeline::Implementation::Implementation(const PipelineOptions& o, const SensorModel& sensor,
-                                         TileStore* tileStore)
+                                         std::shared_ptr<SharedMap> sharedMap)
     : options(o),
       segmenter(o.projection, o.ground, o.objects, sensor),
-      tracker(o.tracking, o.motion),
+      tracker(o.tracking, o.motion, sharedMap->lastTrack),
       thinning(o.visibility.cellSize, o.visibility.maxCells),
       witness(o.visibility),
       voting(o.voting),
       traces(o.decision, o.visibility.enabled),
       judge(options.decision, voting, traces),
       builder(o.decision, o.mapping.groundResidueHeight),
-      tiles(tileStore) {
+      shared(std::move(sharedMap)) {
   for (const Options* section : options.sections()) section->check();
+  shared->pipelines.push_back(this);
+}
+
+Pipeline::Implementation::~Implementation() {
+  std::vector<const Implementation*>& all = shared->pipelines;
+  all.erase(std::remove(all.begin(), all.end(), this), all.end());
 }
 
 void Pipeline::Implementation::segment(const PosedScan& scan) {
@@ -102,11 +109,12 @@ void Pipeline::Implementation::takeEvidence(const EvidenceCells& cells, ScanReco
 void Pipeline::Implementation::commitComplete(bool all) {
   const auto commitNext = [&] {
     ScanRecord& record = records[committed++];
+    std::unique_ptr<StaticMap>& map = shared->map;
     if (!map) {
-      map = makeStaticMap(options.mapping, record.sensorPosition, tiles);
-      offset = toss::mapOffset(record.sensorPosition);
+      map = makeStaticMap(options.mapping, record.sensorPosition, shared->tiles);
+      shared->offset = toss::mapOffset(record.sensorPosition);
     }
-    commitScan(options.mapping, judge.final(record, false), record, nextLedger, *map);
+    commitScan(options.mapping, judge.final(record, false), record, shared->nextLedger, *map);
     builder.reuseReturns(record);
     map->leaveBehind(record.sensorPosition);
   };
@@ -127,8 +135,8 @@ void Pipeline::Implementation::commitComplete(bool all) {
 void Pipeline::Implementation::settleFirst() {
   ScanRecord& record = records.front();
   const std::vector<bool> moving = judge.final(record, true);
-  updateLedgers(record, moving, *map);
-  settleLedgers(record, *map);
+  updateLedgers(record, moving, *shared->map);
+  settleLedgers(record, *shared->map);
   settled.emplace_back();
   labelScan(
       record, moving, [&](TrackId id) { return isDynamic(traces.finalClass(id, true)); },

@@ -13,13 +13,18 @@
 
 #include "Judge.h"
 #include "RecordBuilder.h"
+#include "SharedMap.h"
 #include "StageClock.h"
 
 namespace toss {
 
 /// The stages of the method and what they hand to each other, for one run.
 struct Pipeline::Implementation {
-  Implementation(const PipelineOptions& options, const SensorModel& sensor, TileStore* tiles);
+  Implementation(const PipelineOptions& options, const SensorModel& sensor,
+                 std::shared_ptr<SharedMap> shared);
+  ~Implementation();
+  Implementation(const Implementation&) = delete;
+  Implementation& operator=(const Implementation&) = delete;
 
   /// Stages 1 to 3: every return gets a class, and an instance where it has one.
   void segment(const PosedScan& scan);
@@ -36,8 +41,10 @@ struct Pipeline::Implementation {
   /// Labels that nothing can change any more become final; with `all`, every label.
   void settle(bool all);
 
-  /// The map by present knowledge; nullptr before there is one.
+  /// The map by present knowledge of all pipelines that share it; nullptr before there is one.
   const StaticMap* presentMap() const;
+  /// Gives the ledgers of this pipeline's scans their present labels.
+  void updateMap() const;
   void takeEvidence(const EvidenceCells& cells, ScanRecord& record);
   void setFinalClasses(const ScanRecord& record, bool last);
   void settleFirst();
@@ -52,16 +59,12 @@ struct Pipeline::Implementation {
   TraceBook traces;
   Judge judge;
   RecordBuilder builder;
-  TileStore* tiles;
-  std::unique_ptr<StaticMap> map;
-  /// Taken off the points of the map that are visited [m]; known with the first scan.
-  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+  std::shared_ptr<SharedMap> shared;
 
   SegmentedScan segmented;
   std::vector<Detection> detections;
   std::vector<FreeSpaceSum> pastEvidence;
   std::int64_t scanNumber = 0;
-  BoxId nextLedger = 0;
   /// Scans whose labels are not final, in order of time; the first `committed` are in the map.
   std::deque<ScanRecord> records;
   std::size_t committed = 0;

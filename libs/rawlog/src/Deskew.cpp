@@ -30,8 +30,8 @@ struct SampledPath {
 };
 
 /// Empty where a pose is missing.
-SampledPath samplePath(const RawlogPoses& poses, PoseBuffer::Ticks stamp, const PosedScan& scan,
-                       float begin, float end) {
+SampledPath samplePath(const RawlogPoses& poses, const Eigen::Isometry3d* poseFromSensor,
+                       PoseBuffer::Ticks stamp, const PosedScan& scan, float begin, float end) {
   const float steps = std::clamp(std::ceil((end - begin) / kStep), 1.0f, kMaxSamples);
   SampledPath path;
   path.begin = begin;
@@ -41,8 +41,7 @@ SampledPath samplePath(const RawlogPoses& poses, PoseBuffer::Ticks stamp, const 
     const double time = static_cast<double>(begin) + i * static_cast<double>(path.step);
     const auto found = poses.around(stamp + std::llround(time * 1e7));
     if (!found) return {};
-    const Eigen::Isometry3d mapFromSensor =
-        poses.ofSensor() ? *found : *found * scan.robotFromSensor;
+    const Eigen::Isometry3d mapFromSensor = poseFromSensor ? *found * *poseFromSensor : *found;
     const Eigen::Isometry3d pose = stampFromMap * mapFromSensor;
     path.stampFromSensor.push_back(pose.matrix().topRows<3>().cast<float>());
   }
@@ -55,11 +54,12 @@ float sweepEnd(const PointCloud& points) {
   return points.time.empty() ? 0.0f : *std::max_element(points.time.begin(), points.time.end());
 }
 
-bool deskew(const RawlogPoses& poses, PoseBuffer::Ticks stamp, PosedScan& scan) {
+bool deskew(const RawlogPoses& poses, const Eigen::Isometry3d* poseFromSensor,
+            PoseBuffer::Ticks stamp, PosedScan& scan) {
   PointCloud& points = scan.points;
   if (points.time.empty() || scan.motionCompensated) return false;
   const auto [begin, end] = std::minmax_element(points.time.begin(), points.time.end());
-  const SampledPath path = samplePath(poses, stamp, scan, *begin, *end);
+  const SampledPath path = samplePath(poses, poseFromSensor, stamp, scan, *begin, *end);
   if (path.stampFromSensor.empty()) return false;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector4f point(points.x[i], points.y[i], points.z[i], 1.0f);

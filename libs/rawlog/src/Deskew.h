@@ -15,7 +15,9 @@ float sweepEnd(const PointCloud& points);
 /// millisecond and taken as straight between samples (0.3 mm at 100 m and 5 rad/s). `stamp`: time
 /// stamp of the scan [ticks]. False, and nothing is changed, where the scan has no times, is
 /// compensated already, or has too few poses around it. Returns at the origin and those that are
-/// not finite stay.
-bool deskew(const RawlogPoses& poses, PoseBuffer::Ticks stamp, PosedScan& scan);
+/// not finite stay. `poseFromSensor`: where the sensor sits on what the poses are of; nullptr =
+/// they are its own.
+bool deskew(const RawlogPoses& poses, const Eigen::Isometry3d* poseFromSensor,
+            PoseBuffer::Ticks stamp, PosedScan& scan);
 
 }  // namespace toss

@@ -7,7 +7,9 @@
 #include <toss/rawlog/RawlogWriter.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 #include "SensorLabels.h"
 
@@ -42,7 +44,7 @@ mrpt::maps::CPointsMapXYZI::Ptr pointsInState(const PosedScan& scan, const ScanL
 
 struct FilteredRawlogWriter::Implementation {
   void writeCloud(const PosedScan& scan, const ScanLabels& labels, PointState state,
-                  const char* sensorLabel) {
+                  const std::string& sensorLabel) {
     mrpt::obs::CObservationPointCloud observation;
     observation.sensorLabel = sensorLabel;
     observation.timestamp = toMrptTime(scan.time);
@@ -51,7 +53,14 @@ struct FilteredRawlogWriter::Implementation {
     writer.write(observation);
   }
 
+  std::string endingOf(const std::string& label) {
+    if (!firstLabel) firstLabel = label;
+    return label == *firstLabel ? "" : "_" + label;
+  }
+
   RawlogWriter writer;
+  /// Label of the LiDAR of the first scan.
+  std::optional<std::string> firstLabel{};
 };
 
 FilteredRawlogWriter::FilteredRawlogWriter(const std::filesystem::path& file,
@@ -64,8 +73,9 @@ void FilteredRawlogWriter::add(const PosedScan& scan, const ScanLabels& labels) 
   if (labels.scan != scan.index || labels.state.size() != scan.points.size())
     throw std::logic_error("FilteredRawlogWriter::add: the labels are not those of the scan");
   implementation_->writer.write(robotPoseOf(scan));
-  implementation_->writeCloud(scan, labels, PointState::Static, "LIDAR_STATIC");
-  implementation_->writeCloud(scan, labels, PointState::Moving, "LIDAR_MOVING");
+  const std::string ending = implementation_->endingOf(scan.sensorLabel);
+  implementation_->writeCloud(scan, labels, PointState::Static, "LIDAR_STATIC" + ending);
+  implementation_->writeCloud(scan, labels, PointState::Moving, "LIDAR_MOVING" + ending);
 }
 
 void FilteredRawlogWriter::finish() {

@@ -7,7 +7,7 @@ void InputOptions::visit(OptionVisitor& visitor) {
   const char* own = "TOSS";
   visitor.string({"sensor_label", "",
                   "Label of the sensor whose scans are read; empty takes the "
-                  "first one met.",
+                  "first one met, and toss map all LiDARs of the log.",
                   own},
                  sensorLabel);
   visitor.string({"pose_label", "",

@@ -5,6 +5,7 @@
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CSensoryFrame.h>
+#include <mrpt/poses/CPose3D.h>
 #include <toss/geometry/Error.h>
 #include <toss/rawlog/MrptConversion.h>
 #include <toss/rawlog/ObservationPoints.h>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "Deskew.h"
 
@@ -48,11 +50,19 @@ std::string listOf(const std::map<std::string, std::uint64_t>& counts) {
   return text;
 }
 
+template <typename Sensors>
+std::string labels(const Sensors& sensors) {
+  std::string text;
+  for (const auto& sensor : sensors) text += (text.empty() ? "'" : ", '") + sensor.label + "'";
+  return text;
+}
+
 }  // namespace
 
 RawlogSource::RawlogSource(const std::filesystem::path& file, const InputOptions& options)
     : options_(options), reader_(file), sweeps_(file), poses_(options) {
-  if (!options.sensorLabel.empty()) sensorLabel_ = options.sensorLabel;
+  for (const std::string& label : options.sensorLabels) sensors_.emplace_back(label);
+  if (sensors_.empty() && !options.sensorLabel.empty()) sensors_.emplace_back(options.sensorLabel);
   if (options.withoutPoses) options_.deskew = Deskew::Off;
 }
 
@@ -123,39 +133,63 @@ void RawlogSource::take(const CObservation::Ptr& observation) {
     ++otherRangeScans_[observation->GetRuntimeClass()->className];
 }
 
+RawlogSource::Sensor* RawlogSource::sensorOf(const std::string& label) {
+  if (sensors_.empty()) sensors_.emplace_back(label);
+  const auto found = std::find_if(sensors_.begin(), sensors_.end(),
+                                  [&](const Sensor& sensor) { return sensor.label == label; });
+  return found == sensors_.end() ? nullptr : &*found;
+}
+
 void RawlogSource::takeScan(const CObservation::Ptr& observation) {
-  if (!sensorLabel_) sensorLabel_ = observation->sensorLabel;
-  if (observation->sensorLabel != *sensorLabel_) {
+  Sensor* const sensor = sensorOf(observation->sensorLabel);
+  if (!sensor) {
     ++otherSensors_[observation->sensorLabel];
     ++report_.otherSensors;
     return;
   }
-  const std::uint64_t index = nextIndex_++;
+  const std::uint64_t index = nextIndex_++, indexOfSensor = sensor->scans++;
   if (observation->timestamp == INVALID_TIMESTAMP) {
     ++withoutTime_;
     ++report_.skippedForPose;
     return;
   }
   const Ticks time = observation->timestamp.time_since_epoch().count();
-  if (lastTime_ && time <= *lastTime_) {
+  if (sensor->lastTime && time <= *sensor->lastTime) {
     if (report_.skippedForTime++ == 0) firstSkippedForTime_ = reader_.place();
     return;
   }
-  lastTime_ = time;
+  sensor->lastTime = lastTime_ = time;
   if (!firstScanTime_) firstScanTime_ = time;
-  poses_.placeScan(index, time);
-  waiting_.push_back({observation, index, time, reader_.place()});
+  constexpr auto kNoRow = std::numeric_limits<std::uint64_t>::max();
+  poses_.placeScan(sensor == &sensors_.front() ? indexOfSensor : kNoRow, time);
+  if (sensors_.size() > 1 && !sensor->robotFromSensor) {
+    mrpt::poses::CPose3D onRobot;
+    observation->getSensorPose(onRobot);
+    sensor->robotFromSensor = fromMrpt(onRobot);
+  }
+  waiting_.push_back({observation, sensor, index, time, reader_.place()});
 }
 
-void RawlogSource::load(const Waiting& from, const Eigen::Isometry3d& mapFromRobot,
-                        PosedScan& scan) {
+/// Poses of a sensor are those of the first one. Nothing where they are of this one.
+std::optional<Eigen::Isometry3d> RawlogSource::poseFromSensor(const Sensor& sensor,
+                                                              const PosedScan& scan) const {
+  if (!poses_.ofSensor()) return scan.robotFromSensor;
+  const Sensor& posed = sensors_.front();
+  if (&sensor == &posed || !posed.robotFromSensor) return std::nullopt;
+  return posed.robotFromSensor->inverse() * scan.robotFromSensor;
+}
+
+void RawlogSource::load(const Waiting& from, const Eigen::Isometry3d& pose, PosedScan& scan) {
   readPoints(*from.observation, reader_.file(), from.place, scan);
-  placeScan(*from.observation, mapFromRobot, from.place, scan);
-  if (poses_.ofSensor()) scan.mapFromSensor = mapFromRobot;
+  placeScan(*from.observation, pose, from.place, scan);
+  if (poses_.ofSensor()) {
+    const auto offset = poseFromSensor(*from.sensor, scan);
+    scan.mapFromSensor = offset ? pose * *offset : pose;
+  }
   scan.index = from.index;
   const bool fromPackets = !scan.points.ring.empty();
   if (!fromPackets && !sweeps_.addTo(scan, from.observation->sensorLabel)) ++withoutSweep_;
-  scan.sensorModel = sensor_.modelOf(scan);
+  scan.sensorModel = from.sensor->model.modelOf(scan);
   countScan(scan.points, report_);
 }
 
@@ -170,7 +204,9 @@ bool RawlogSource::sweepGoesOn(const Waiting& from, const PosedScan& scan) const
 
 void RawlogSource::finish(const Waiting& from, PosedScan& scan) {
   if (options_.deskew == Deskew::Off || scan.motionCompensated || scan.points.time.empty()) return;
-  ++(deskew(poses_, from.time, scan) ? report_.deskewed : report_.notDeskewed);
+  const auto offset = poseFromSensor(*from.sensor, scan);
+  const bool done = deskew(poses_, offset ? &*offset : nullptr, from.time, scan);
+  ++(done ? report_.deskewed : report_.notDeskewed);
 }
 
 void RawlogSource::failAtEnd() const {
@@ -182,10 +218,10 @@ void RawlogSource::failAtEnd() const {
 void RawlogSource::failWithoutScans() const {
   const std::string file = reader_.file().string();
   if (nextIndex_ == 0 && !otherSensors_.empty())
-    throw UserError(
-        file,
-        "holds no point cloud of sensor '" + *sensorLabel_ + "', but " + listOf(otherSensors_),
-        "set input.sensor_label to one of these");
+    throw UserError(file,
+                    "holds no point cloud of sensor '" + sensors_.front().label + "', but " +
+                        listOf(otherSensors_),
+                    "set input.sensor_label to one of these");
   if (nextIndex_ == 0)
     throw UserError(
         file,
@@ -235,7 +271,7 @@ const InputReport& RawlogSource::report() const {
          " scans were skipped, they are not later than the one before, first at " +
          firstSkippedForTime_ + "; cut the log there and map the parts apart");
   if (!otherSensors_.empty())
-    warn("scans labelled '" + *sensorLabel_ + "' are used, others were left out (" +
+    warn("scans labelled " + labels(sensors_) + " are used, others were left out (" +
          listOf(otherSensors_) + "); choose with input.sensor_label");
   if (!otherRangeScans_.empty()) warn("left out, they hold no points: " + listOf(otherRangeScans_));
   poses_.appendWarnings(file, report_.warnings);

@@ -28,9 +28,21 @@ class RawlogSource : public ScanSource {
   const InputReport& report() const override;
 
  private:
+  /// What is known of a sensor that is read.
+  struct Sensor {
+    explicit Sensor(std::string itsLabel) : label(std::move(itsLabel)) {}
+    std::string label;
+    /// Scans met.
+    std::uint64_t scans = 0;
+    std::optional<PoseBuffer::Ticks> lastTime;
+    /// Pose on the robot, by the first scan met.
+    std::optional<Eigen::Isometry3d> robotFromSensor;
+    SensorMemory model;
+  };
   /// A scan that waits for its pose.
   struct Waiting {
     mrpt::obs::CObservation::Ptr observation;
+    Sensor* sensor = nullptr;
     std::uint64_t index = 0;
     PoseBuffer::Ticks time = 0;
     std::string place;
@@ -40,9 +52,12 @@ class RawlogSource : public ScanSource {
   bool readMore();
   mrpt::serialization::CSerializable::Ptr readObject();
   void take(const mrpt::obs::CObservation::Ptr& observation);
+  Sensor* sensorOf(const std::string& label);
   void takeScan(const mrpt::obs::CObservation::Ptr& observation);
   Decision decide(const Waiting& front, std::optional<Eigen::Isometry3d>& pose) const;
-  void load(const Waiting& from, const Eigen::Isometry3d& mapFromRobot, PosedScan& scan);
+  void load(const Waiting& from, const Eigen::Isometry3d& pose, PosedScan& scan);
+  std::optional<Eigen::Isometry3d> poseFromSensor(const Sensor& sensor,
+                                                  const PosedScan& scan) const;
   bool sweepGoesOn(const Waiting& from, const PosedScan& scan) const;
   void finish(const Waiting& from, PosedScan& scan);
   void failAtEnd() const;
@@ -59,14 +74,13 @@ class RawlogSource : public ScanSource {
   /// What is wrong with the file where reading it ended, "" if nothing.
   std::string damage_;
   std::uint64_t nextIndex_ = 0;
-  /// Label of the sensor that is read, once known.
-  std::optional<std::string> sensorLabel_;
+  /// Those that are read, once known; they stay where they are in memory.
+  std::deque<Sensor> sensors_;
   std::optional<PoseBuffer::Ticks> lastTime_, firstScanTime_;
   /// Observations by class or label that were left out.
   std::map<std::string, std::uint64_t> otherSensors_, otherRangeScans_;
   std::uint64_t withoutTime_ = 0, withoutSweep_ = 0;
   std::string firstSkippedForTime_;
-  SensorMemory sensor_;
   mutable InputReport report_;
 };
 

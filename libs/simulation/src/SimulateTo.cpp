@@ -6,6 +6,8 @@
 #include <toss/rawlog/TracksCsv.h>
 #include <toss/simulation/SimulateTo.h>
 
+#include <cmath>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -43,32 +45,57 @@ class Summary {
   std::set<std::uint16_t> movers_;
 };
 
+/// What a second LiDAR on the same robot sees.
+SimulationOptions secondOf(const SimulationOptions& first, const std::string& sensor) {
+  SimulationOptions second = first;
+  second.sensor = sensor;
+  second.startTime = first.startTime + 0.05;
+  second.robotFromSensor = Eigen::Translation3d(-0.4, 0.0, -0.2) *
+                           Eigen::AngleAxisd(0.5 * M_PI, Eigen::Vector3d::UnitZ()) *
+                           Eigen::AngleAxisd(8.0 * M_PI / 180.0, Eigen::Vector3d::UnitY());
+  return second;
+}
+
 template <typename Consumer>
 SimulatedLog simulate(const SimulationOptions& options, const SimulationProgress& progress,
-                      const Consumer& consume) {
+                      const Consumer& consume, const std::string& secondSensor = "") {
   Simulator simulator(options);
+  std::optional<Simulator> second;
+  if (!secondSensor.empty()) second.emplace(secondOf(options, secondSensor));
   SimulatedScan simulated;
   Summary summary;
-  while (simulator.next(simulated)) {
+  int frames = 0;
+  const auto take = [&] {
     consume(simulated);
     summary.add(simulated);
-    if (progress) progress(static_cast<int>(summary.log().scans), simulator.frames());
+  };
+  while (simulator.next(simulated)) {
+    take();
+    if (second && second->next(simulated)) {
+      // Two of one model need two labels.
+      simulated.scan.sensorLabel += "-second";
+      take();
+    }
+    if (progress) progress(++frames, simulator.frames());
   }
   return summary.log();
 }
 
 SimulatedLog toRawlog(const std::filesystem::path& output, const SimulationOptions& options,
-                      const SimulationProgress& progress) {
+                      const SimulationProgress& progress, const std::string& secondSensor) {
   constexpr double kFirstTime = 1.6e9;
   std::filesystem::path tracksFile = output;
   tracksFile.replace_filename(output.stem().string() + "_tracks.csv");
   RawlogWriter writer(output);
   TracksCsvWriter tracks(tracksFile);
-  const SimulatedLog log = simulate(options, progress, [&](SimulatedScan& simulated) {
+  std::uint64_t count = 0;
+  const auto consume = [&](SimulatedScan& simulated) {
     simulated.scan.time += kFirstTime;
+    simulated.scan.index = count++;
     writer.write(simulated.scan, simulated.labels);
     tracks.add(rowsOf(simulated));
-  });
+  };
+  const SimulatedLog log = simulate(options, progress, consume, secondSensor);
   tracks.finish();
   writer.commit();
   return log;
@@ -99,8 +126,12 @@ LogFormat logFormatByName(const std::string& name) {
 }
 
 SimulatedLog simulateTo(const std::filesystem::path& output, LogFormat format,
-                        const SimulationOptions& options, const SimulationProgress& progress) {
-  return format == LogFormat::Rawlog ? toRawlog(output, options, progress)
+                        const SimulationOptions& options, const SimulationProgress& progress,
+                        const std::string& secondSensor) {
+  if (!secondSensor.empty() && (format != LogFormat::Rawlog || options.poseNoise != 0.0))
+    throw UserError("second sensor '" + secondSensor + "'", "is for rawlogs with exact poses only",
+                    "leave --format and --pose-noise away");
+  return format == LogFormat::Rawlog ? toRawlog(output, options, progress, secondSensor)
                                      : toKitti(output, options, progress);
 }
 

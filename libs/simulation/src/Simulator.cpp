@@ -33,10 +33,11 @@ const Scene& checkedScene(const SimulationOptions& options) {
   return findScene(options.scene);
 }
 
-World build(const Scene& scene, std::uint64_t seed) {
+World build(const Scene& scene, const SimulationOptions& options) {
   World world;
-  RandomStream random(hash(seed, 1));
+  RandomStream random(hash(options.seed, 1));
   scene.build(world, random);
+  world.carrier.mount = options.robotFromSensor;
   return world;
 }
 
@@ -60,7 +61,7 @@ struct Simulator::Implementation {
         sensor(sensorByName(o.sensor.empty() ? scene.info.sensor : o.sensor)),
         options(o),
         frameCount(o.frames ? o.frames : scene.info.frames),
-        world(build(scene, o.seed)),
+        world(build(scene, o)),
         truth(world, kPeriod, frameCount),
         caster(world),
         poseNoise(o.poseNoise, hash(o.seed, 2)),
@@ -68,7 +69,7 @@ struct Simulator::Implementation {
 
   bool next(SimulatedScan& result) {
     if (frame >= frameCount) return false;
-    const double time = frame * kPeriod;
+    const double time = options.startTime + frame * kPeriod;
     const SweepSettings settings{kPeriod, options.compensated, options.sensorNoise};
     const std::uint64_t key = hash(hash(options.seed, 3), static_cast<std::uint64_t>(frame));
     arena.execute([&] { sweep(world, caster, sensor, settings, time, key, returns); });
@@ -78,6 +79,7 @@ struct Simulator::Implementation {
     result.scan.mapFromSensor = poseNoise.report(result.trueMapFromSensor);
     result.scan.index = static_cast<std::uint64_t>(frame);
     result.scan.time = time;
+    result.scan.robotFromSensor = options.robotFromSensor;
     result.scan.sensorModel = sensor.name;
     result.scan.sensorLabel = sensor.name;
     result.scan.motionCompensated = options.compensated;

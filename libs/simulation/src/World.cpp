@@ -77,7 +77,8 @@ Isometry3d World::mapFromSensor(double time) const {
                  carrier.motion.path.heading(distance));
   pose.rotate(AngleAxisd(-slope + carrier.pitch * std::sin(2.0 * phase + 1.0), Vector3d::UnitY()));
   pose.rotate(AngleAxisd(carrier.roll * std::sin(phase), Vector3d::UnitX()));
-  return pose;
+  if (carrier.mount.matrix() == Eigen::Matrix4d::Identity()) return pose;
+  return pose * carrier.mount;
 }
 
 bool World::movesWithin(const Mover& mover, double start, double step, int count) const {

@@ -29,6 +29,8 @@ struct Carrier {
   /// Rocking of a legged robot per step: vertical [m], roll and pitch [rad], and length of a step
   /// [m]; 0 for wheels.
   double bounce = 0.0, roll = 0.0, pitch = 0.0, step = 0.35;
+  /// Where the sensor sits, against its usual place (usual <- sensor).
+  Eigen::Isometry3d mount = Eigen::Isometry3d::Identity();
 };
 
 /// All that the rays can meet. Ground at z = groundHeight(x, y); map frame [m].

@@ -30,8 +30,11 @@ bool comesBefore(const Box& a, const Box& b) {
 }  // namespace
 
 struct Tracker::Implementation {
-  Implementation(const TrackingOptions& trackingOptions, const MotionOptions& motionOptions)
-      : tracking(trackingOptions), motion(motionOptions) {
+  Implementation(const TrackingOptions& trackingOptions, const MotionOptions& motionOptions,
+                 std::shared_ptr<TrackId> lastTrack)
+      : tracking(trackingOptions),
+        motion(motionOptions),
+        lastId(lastTrack ? std::move(lastTrack) : std::make_shared<TrackId>(0)) {
     tracking.check();
     motion.check();
   }
@@ -62,7 +65,7 @@ struct Tracker::Implementation {
   double time = -std::numeric_limits<double>::infinity();
   double seconds = 0.0;
   KalmanNoise noise;
-  TrackId lastId = 0;
+  std::shared_ptr<TrackId> lastId;
   std::vector<TrackState> states;
 
   const std::vector<Detection>* detections = nullptr;
@@ -232,7 +235,7 @@ void Tracker::Implementation::startTracks() {
 void Tracker::Implementation::startTrack(std::size_t detection) {
   const Box& measured = (*detections)[detection].box;
   TrackState state{{}, KalmanFilter(measured, noise), MotionEvidence(motion.window)};
-  state.track.id = ++lastId;
+  state.track.id = ++*lastId;
   state.track.birthTime = time;
   state.track.detection = static_cast<std::int32_t>(detection);
   state.track.hits = 1;
@@ -248,8 +251,9 @@ void Tracker::Implementation::publish() {
   for (const TrackState& state : states) tracks.push_back(state.track);
 }
 
-Tracker::Tracker(const TrackingOptions& tracking, const MotionOptions& motion)
-    : implementation_(std::make_unique<Implementation>(tracking, motion)) {}
+Tracker::Tracker(const TrackingOptions& tracking, const MotionOptions& motion,
+                 std::shared_ptr<TrackId> lastId)
+    : implementation_(std::make_unique<Implementation>(tracking, motion, std::move(lastId))) {}
 
 Tracker::~Tracker() = default;
 

@@ -24,10 +24,10 @@ using CreatedMetricMap = mrpt::maps::CMetricMap*;
 /// moves is left out, as `toss map` does it. For use in an mrpt::maps::CMultiMetricMap under the
 /// name dynamicFilteredPointsMap; see share/doc/plug-in.md.
 ///
-/// Takes the observations that libs/rawlog reads as points (holdsPoints()), one sensor, in order of
-/// time. The result for a scan is revised for some seconds after it has come in. Calls of const
-/// members may run at the same time; what they refer to is valid until the next call that is not
-/// const or that renews the map.
+/// Takes the observations that libs/rawlog reads as points (holdsPoints()), of one or several
+/// LiDARs, those of each in order of time. The result for a scan is revised for some seconds after
+/// it has come in. Calls of const members may run at the same time; what they refer to is valid
+/// until the next call that is not const or that renews the map.
 class CDynamicFilteredPointsMap : public mrpt::maps::CMetricMap {
   DEFINE_SERIALIZABLE(CDynamicFilteredPointsMap, toss)
 

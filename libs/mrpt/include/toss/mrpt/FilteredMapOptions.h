@@ -12,7 +12,7 @@ namespace toss {
 
 /// How the plug-in takes observations and shows its map, section [plugin].
 struct PlugInOptions : Options {
-  /// Label of the sensor whose scans are taken; "" = the first one met. Scans of others are
+  /// Label of the sensor whose scans are taken; "" = all LiDARs. Scans of others are
   /// refused.
   std::string sensorLabel;
   /// The rawlog that is played, "" where there is none: external clouds are looked for beside it,

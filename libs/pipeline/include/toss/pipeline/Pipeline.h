@@ -24,6 +24,10 @@ class Pipeline {
   /// `tiles`: outlives the pipeline and takes parts of the map that are far away; nullptr = the map
   /// stays in memory.
   Pipeline(const PipelineOptions& options, const SensorModel& sensor, TileStore* tiles = nullptr);
+  /// For another LiDAR of the same robot: its returns go into the static map of `other`, which is
+  /// that of both from now on, and its traces have numbers that those of `other` do not have. Both
+  /// belong to one thread at a time.
+  Pipeline(const PipelineOptions& options, const SensorModel& sensor, const Pipeline& other);
   ~Pipeline();
 
   /// Takes the next scan, later than the one before. Returns its live labels: decided with no
@@ -34,7 +38,8 @@ class Pipeline {
 
   /// Scans whose labels have become final since the last call, in order of their coming.
   std::vector<ScanLabels> takeSettled();
-  /// Settles all scans that are left. Nothing may be processed after it.
+  /// Settles all scans that are left, without what later ones could tell about them: for the end
+  /// of the log, or of a part after which no scan comes for long.
   void finish();
 
   /// The static map by present knowledge: voxel centroids, or every kept return where
@@ -54,8 +59,10 @@ class Pipeline {
   /// projection, ground, objects, boxes, tracking, visibility, voting, mapping.
   const std::vector<std::pair<std::string, double>>& stageTimes() const;
 
- private:
+  /// Parts of a pipeline.
   struct Implementation;
+
+ private:
   std::unique_ptr<Implementation> implementation_;
 };
 

@@ -14,6 +14,7 @@ namespace toss {
 /// stamp: a CObservationRobotPose (map <- robot), and two CObservationPointCloud of
 /// CPointsMapXYZI in the sensor frame with the sensor's pose on the robot, LIDAR_STATIC and
 /// LIDAR_MOVING, either of which may be empty. Returns that are PointState::Invalid are left out.
+/// Of several LiDARs the first has these labels, and the others' end in "_" and their own label.
 class FilteredRawlogWriter {
  public:
   /// gz saves about a quarter of the size and makes writing some forty times slower.

@@ -4,6 +4,7 @@
 #include <toss/geometry/Options.h>
 
 #include <string>
+#include <vector>
 
 namespace toss {
 
@@ -29,8 +30,12 @@ enum class PoseSubject {
 
 /// How inputs are read. Section "input".
 struct InputOptions : Options {
-  /// Label of the sensor whose scans are read; "" = the first one met.
+  /// Label of the sensor whose scans are read; "" = the first one met (toss map: all LiDARs, see
+  /// LidarSelection).
   std::string sensorLabel;
+  /// Labels of several sensors whose scans are read, in place of sensorLabel; the first is the one
+  /// whose poses a pose file holds. Empty = sensorLabel. No option of users.
+  std::vector<std::string> sensorLabels;
   /// Label of the pose observations that are used; "" = the first one met.
   std::string poseLabel;
   PoseSource poseSource = PoseSource::Observations;

@@ -33,8 +33,12 @@ using SimulationProgress = std::function<void(int done, int total)>;
 
 /// Simulates a log and writes it with its labels and the true boxes of all objects seen, in the
 /// columns of tracks.csv. Rawlogs are stamped from 2020-09-13 12:26:40 UTC on, folders from 0 s.
-/// Throws UserError for options out of range and where the output can't be written.
+/// `secondSensor`: name of another LiDAR on the same robot, "" = none: 0.4 m behind and 0.2 m below
+/// the first, turned by 90 degrees and tilted by 8, its scans half a period after those of the
+/// first; for rawlogs and exact poses only. Throws UserError for options out of range and where the
+/// output can't be written.
 SimulatedLog simulateTo(const std::filesystem::path& output, LogFormat format,
-                        const SimulationOptions& options, const SimulationProgress& progress = {});
+                        const SimulationOptions& options, const SimulationProgress& progress = {},
+                        const std::string& secondSensor = "");
 
 }  // namespace toss

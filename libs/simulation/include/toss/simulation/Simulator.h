@@ -31,6 +31,11 @@ struct SimulationOptions {
   /// Whether the sensor errs: range noise, drop-out, beams that pass leaves and panes or straddle
   /// edges, mirror returns. Off for closed-form tests.
   bool sensorNoise = true;
+  /// Pose of the sensor on the robot, which is where the scene's only sensor would be (robot <-
+  /// sensor) [m], and time of the first scan [s]: for robots with several LiDARs, a simulator each
+  /// with the same scene, seed and number of scans.
+  Eigen::Isometry3d robotFromSensor = Eigen::Isometry3d::Identity();
+  double startTime = 0.0;
   /// Threads that cast rays; 0 = all cores.
   int threads = 0;
 };

@@ -15,8 +15,11 @@ namespace toss {
 /// association, birth and death of traces, and the coarse motion class of each.
 class Tracker {
  public:
-  /// Throws UserError for options out of range.
-  explicit Tracker(const TrackingOptions& tracking, const MotionOptions& motion = {});
+  /// Throws UserError for options out of range. `lastId`: number of the trace that was started
+  /// last, for trackers whose traces must not share numbers; nullptr = this one counts by itself,
+  /// from 1.
+  explicit Tracker(const TrackingOptions& tracking, const MotionOptions& motion = {},
+                   std::shared_ptr<TrackId> lastId = nullptr);
   ~Tracker();
 
   /// Predicts all traces to `time` [s] (later than the last call's, else std::logic_error),
