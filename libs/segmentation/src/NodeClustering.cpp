@@ -20,7 +20,7 @@ void NodeClustering::cluster(const ObjectNodes& nodes, const NodeReaches& reache
 void NodeClustering::link(const ObjectNodes& nodes, const NodeReaches& reaches,
                           const LinkRules& rules) {
   sets_.reset(runs_.size());
-  RunLinking linking(nodes, reaches, runs_, rules, sets_);
+  RunLinking linking(nodes, reaches, runs_, rules, search_, sets_);
   for (int row = 0; row < nodes.rows(); ++row) linking.linkRow(row);
   componentOfRun_.resize(runs_.size());
   components_.clear();

@@ -2,6 +2,7 @@
 #include <toss/segmentation/RowRuns.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace toss {
 namespace {
@@ -27,11 +28,8 @@ void linkNeighbours(const float* __restrict x, const float* __restrict y,
 }  // namespace
 
 void RowRuns::clear() {
-  begin.clear(), end.clear(), firstColumn.clear(), lastColumn.clear();
-  nearest.clear(), farthest.clear(), measures.clear();
-  reaches.horizontal.clear(), reaches.vertical.clear(), reaches.window.clear();
+  begin.clear(), end.clear();
   rowBegin.assign(1, 0);
-  widest = 0;
 }
 
 void RowRuns::findLinks(const ObjectNodes& nodes, const NodeReaches& nodeReaches) {
@@ -44,9 +42,10 @@ void RowRuns::build(const ObjectNodes& nodes) {
   clear();
   findLinks(nodes, nodes.reaches);
   for (std::size_t row = 0; row + 1 < nodes.rowBegin.size(); ++row) {
-    cut(nodes, nodes.reaches, nodes.rowBegin[row], nodes.rowBegin[row + 1]);
+    cut(nodes.rowBegin[row], nodes.rowBegin[row + 1]);
     rowBegin.push_back(static_cast<std::int32_t>(size()));
   }
+  measure(nodes, nodes.reaches);
 }
 
 void RowRuns::build(const ObjectNodes& nodes, const NodeReaches& shorter, const RowRuns& whole,
@@ -55,43 +54,53 @@ void RowRuns::build(const ObjectNodes& nodes, const NodeReaches& shorter, const 
   findLinks(nodes, shorter);
   for (std::size_t row = 0; row + 1 < whole.rowBegin.size(); ++row) {
     for (std::int32_t run = whole.rowBegin[row]; run < whole.rowBegin[row + 1]; ++run) {
-      if (selected[at(run)] != 0) cut(nodes, shorter, whole.begin[at(run)], whole.end[at(run)]);
+      if (selected[at(run)] != 0) cut(whole.begin[at(run)], whole.end[at(run)]);
     }
     rowBegin.push_back(static_cast<std::int32_t>(size()));
   }
+  measure(nodes, shorter);
 }
 
-void RowRuns::cut(const ObjectNodes& nodes, const NodeReaches& nodeReaches, std::int32_t first,
-                  std::int32_t last) {
+void RowRuns::cut(std::int32_t first, std::int32_t last) {
   for (std::int32_t from = first; from < last;) {
     std::int32_t to = from + 1;
     while (to < last && linked_[at(to)] != 0) ++to;
-    add(nodes, nodeReaches, from, to);
+    begin.push_back(from), end.push_back(to);
     from = to;
   }
 }
 
-void RowRuns::add(const ObjectNodes& nodes, const NodeReaches& nodeReaches, std::int32_t first,
-                  std::int32_t last) {
-  Component measure;
-  float far = 0.0f, horizontal = 0.0f, vertical = 0.0f;
+void RowRuns::measure(const ObjectNodes& nodes, const NodeReaches& nodeReaches) {
+  const std::size_t n = size();
+  firstColumn.resize(n), lastColumn.resize(n);
+  nearest.resize(n), farthest.resize(n), lowest.resize(n), measures.resize(n);
+  reaches.horizontal.resize(n), reaches.vertical.resize(n), reaches.window.resize(n);
+  widest = 0;
+  for (std::size_t run = 0; run < n; ++run) {
+    const std::size_t first = at(begin[run]), last = at(end[run]);
+    firstColumn[run] = nodes.column[first], lastColumn[run] = nodes.column[last - 1];
+    measureRun(nodes, nodeReaches, run, first, last);
+    widest = std::max(widest, reaches.window[run]);
+  }
+}
+
+void RowRuns::measureRun(const ObjectNodes& nodes, const NodeReaches& nodeReaches, std::size_t run,
+                         std::size_t first, std::size_t last) {
+  Component whole;
+  float low = std::numeric_limits<float>::max(), far = 0.0f, horizontal = 0.0f, vertical = 0.0f;
   std::int32_t window = 0;
-  for (std::size_t i = at(first); i < at(last); ++i) {
-    measure.merge(
-        {nodes.returns[i], nodes.range[i], nodes.x[i], nodes.x[i], nodes.y[i], nodes.y[i]});
+  for (std::size_t i = first; i < last; ++i) {
+    whole.merge({nodes.returns[i], nodes.range[i], nodes.x[i], nodes.x[i], nodes.y[i], nodes.y[i]});
+    low = std::min(low, nodes.z[i]);
     far = std::max(far, nodes.range[i]);
     horizontal = std::max(horizontal, nodeReaches.horizontal[i]);
     vertical = std::max(vertical, nodeReaches.vertical[i]);
     window = std::max(window, nodeReaches.window[i]);
   }
-  begin.push_back(first), end.push_back(last);
-  firstColumn.push_back(nodes.column[at(first)]);
-  lastColumn.push_back(nodes.column[at(last - 1)]);
-  nearest.push_back(measure.nearest), farthest.push_back(far);
-  reaches.horizontal.push_back(horizontal), reaches.vertical.push_back(vertical);
-  reaches.window.push_back(window);
-  measures.push_back(measure);
-  widest = std::max(widest, window);
+  nearest[run] = whole.nearest, farthest[run] = far, lowest[run] = low;
+  reaches.horizontal[run] = horizontal, reaches.vertical[run] = vertical;
+  reaches.window[run] = window;
+  measures[run] = whole;
 }
 
 }  // namespace toss

@@ -9,131 +9,172 @@ namespace toss {
 namespace {
 
 constexpr float kUnlimited = std::numeric_limits<float>::max();
+/// Nodes up to which a run is walked along rather than searched.
+constexpr std::int32_t kShort = 16;
 
 }  // namespace
 
 RunLinking::RunLinking(const ObjectNodes& nodes, const NodeReaches& reaches, const RowRuns& runs,
-                       const LinkRules& rules, UnionFind& sets)
-    : nodes_(nodes), reaches_(reaches), runs_(runs), rules_(rules), sets_(sets) {}
+                       const LinkRules& rules, RunSearch& search, UnionFind& sets)
+    : nodes_(nodes),
+      reaches_(reaches),
+      runs_(runs),
+      rules_(rules),
+      search_(search),
+      sets_(sets),
+      within_{reaches.horizontal.data(), runs.reaches.horizontal.data(), kUnlimited, 0.0f},
+      nextRow_{reaches.vertical.data(), runs.reaches.vertical.data(), kUnlimited,
+               rules.surfaceDistance},
+      fartherRow_{reaches.vertical.data(), runs.reaches.vertical.data(), rules.maxHeightGap, 0.0f} {
+  search_.columns.build(runs, rules.columns);
+  search_.keys.build(runs, rules.surfaceDistance);
+}
 
 RunLinking::Span RunLinking::runsOf(int row) const {
   const std::size_t r = static_cast<std::size_t>(row);
   return {runs_.rowBegin[r], runs_.rowBegin[r + 1]};
 }
 
-RunLinking::Span RunLinking::firstOf(Span row) const {
-  Span first{row.begin, row.begin};
-  while (first.end < row.end && runs_.firstColumn[at(first.end)] < runs_.widest) ++first.end;
+RunLinking::Span RunLinking::firstOf(int row) const {
+  const Span all = runsOf(row);
+  Span first{all.begin, all.begin};
+  while (first.end < all.end && runs_.firstColumn[at(first.end)] < runs_.widest) ++first.end;
   return first;
 }
 
-RunLinking::Span RunLinking::lastOf(Span row) const {
-  Span last{row.end, row.end};
+RunLinking::Span RunLinking::lastOf(int row) const {
+  const Span all = runsOf(row);
+  Span last{all.end, all.end};
   const Index end = rules_.columns - runs_.widest;
-  while (last.begin > row.begin && runs_.lastColumn[at(last.begin - 1)] >= end) --last.begin;
+  while (last.begin > all.begin && runs_.lastColumn[at(last.begin - 1)] >= end) --last.begin;
   return last;
 }
 
 void RunLinking::linkRow(int row) {
-  const Span runs = runsOf(row);
-  limits_ = {reaches_.vertical.data(), runs_.reaches.vertical.data(), kUnlimited,
-             rules_.surfaceDistance};
-  for (int upper = row - 1; upper >= std::max(0, row - rules_.rowWindow); --upper) {
-    linkBetween(runs, runsOf(upper));
-    limits_.height = rules_.maxHeightGap, limits_.surface = 0.0f;
+  linkUpwards(runsOf(row), row, 0);
+  linkUpwards(lastOf(row), row, rules_.columns);
+  linkUpwards(firstOf(row), row, -rules_.columns);
+  noteSets(runsOf(row));
+  linkWithin(runsOf(row), row, 0);
+  linkWithin(lastOf(row), row, rules_.columns);
+  noteSets({runsOf(std::max(0, row + 1 - rules_.rowWindow)).begin, runsOf(row).end});
+}
+
+void RunLinking::noteSets(Span runs) {
+  for (Index run = runs.begin; run < runs.end; ++run) {
+    search_.keys.setSet(run, sets_.find(run));
   }
-  limits_ = {reaches_.horizontal.data(), runs_.reaches.horizontal.data(), kUnlimited, 0.0f};
-  sets_.flatten(runs.begin, runs.end);
-  linkWithin(runs);
-  sets_.flatten(runsOf(std::max(0, row + 1 - rules_.rowWindow)).begin, runs.end);
 }
 
-void RunLinking::linkWithin(Span row) {
-  sweep(row, row, 0, true);
-  sweep(lastOf(row), firstOf(row), rules_.columns);
-}
-
-void RunLinking::linkBetween(Span row, Span upper) {
-  sweep(row, upper, 0);
-  sweep(lastOf(row), firstOf(upper), rules_.columns);
-  sweep(firstOf(row), lastOf(upper), -rules_.columns);
-}
-
-void RunLinking::sweep(Span runs, Span others, Index shift, bool within) {
-  const Index* const firstColumn = runs_.firstColumn.data();
-  const Index* const lastColumn = runs_.lastColumn.data();
-  const Index* const window = runs_.reaches.window.data();
-  const float* const nearest = runs_.nearest.data();
-  const float* const farthest = runs_.farthest.data();
-  const float* const distance = limits_.ofRun;
-  const Index* const parent = sets_.parents();
-  const float surface = limits_.surface;
-  // Runs of a row are sorted by their first and by their last column alike.
-  Index from = others.begin;
+void RunLinking::linkUpwards(Span runs, int row, Index shift) {
   for (Index a = runs.begin; a < runs.end; ++a) {
-    const Index left = firstColumn[a] - window[a] - shift;
-    const Index right = lastColumn[a] + window[a] - shift;
-    while (from > others.begin && lastColumn[from - 1] >= left) --from;
-    while (from < others.end && lastColumn[from] < left) ++from;
-    // Horizontal distance is at least the difference of the ranges. A hair more, for rounding. The
-    // run's own link distance bounds that of every pair it is in.
-    const float limit = 1.001f * std::max(distance[a], surface) + 1e-4f;
-    const float near = nearest[a] - limit, far = farthest[a] + limit;
-    Index set = parent[a];
-    for (Index b = within ? a + 1 : from; b < others.end && firstColumn[b] <= right; ++b) {
-      // A single branch, as no one could foretell two.
-      const float gap = std::max(nearest[b] - far, near - farthest[b]);
-      if ((parent[b] == set) | (gap > 0.0f)) continue;
-      link(a, b, shift);
-      set = sets_.find(a);
+    const Index first = runs_.firstColumn[at(a)] - shift, last = runs_.lastColumn[at(a)] - shift;
+    const Index window = runs_.reaches.window[at(a)];
+    RunVicinity vicinity = search_.keys.betweenRows(a, sets_.find(a), first, last);
+    const bool surface =
+        runs_.lowest[at(a)] <= -rules_.surfaceDepth && nextRow_.ofRun[a] < nextRow_.surface;
+    for (int upper = row - 1; upper >= std::max(0, row - rules_.rowWindow); --upper) {
+      const Span others = search_.columns.touching(upper, first - window, last + window);
+      if (upper == row - 1 && surface) {
+        linkNear<true>(a, others, vicinity, nextRow_, shift);
+      } else {
+        linkNear<false>(a, others, vicinity, upper == row - 1 ? nextRow_ : fartherRow_, shift);
+      }
     }
   }
 }
 
-/// Unites two runs if any of their nodes are linked.
-void RunLinking::link(Index a, Index b, Index shift) {
-  if (sets_.find(a) == sets_.find(b) || apart(a, b) || !touches(a, b, shift)) return;
-  sets_.unite(a, b);
+void RunLinking::linkWithin(Span runs, int row, Index shift) {
+  for (Index a = runs.begin; a < runs.end; ++a) {
+    const Index first = runs_.firstColumn[at(a)] - shift, last = runs_.lastColumn[at(a)] - shift;
+    const Index window = runs_.reaches.window[at(a)];
+    Span others = search_.columns.touching(row, first - window, last + window);
+    if (shift == 0) others.begin = a + 1;
+    RunVicinity vicinity = search_.keys.withinRow(a, sets_.find(a));
+    linkNear<false>(a, others, vicinity, within_, shift);
+  }
 }
 
-bool RunLinking::apart(Index a, Index b) const {
+/// Links a run with those of others that lie in its vicinity.
+template <bool withSurface>
+void RunLinking::linkNear(Index a, Span others, RunVicinity& vicinity, const Limits& limits,
+                          Index shift) {
+  constexpr Index kLanes = RunKeys::kLanes;
+  for (Index b = others.begin; b < others.end; b += kLanes) {
+    std::uint32_t candidates = search_.keys.inVicinity<withSurface>(b, vicinity);
+    if (others.end - b < kLanes) candidates &= (1u << (others.end - b)) - 1u;
+    while (candidates != 0) {
+      const int lane = __builtin_ctz(candidates);
+      candidates &= candidates - 1;
+      if (!link(a, b + lane, limits, shift)) continue;
+      // Many of the others have become of its set.
+      vicinity.set = RunKeys::ofOwnSet(sets_.find(a));
+      candidates &= search_.keys.inVicinity<withSurface>(b, vicinity);
+    }
+  }
+}
+
+/// Unites two runs if any of their nodes are linked. Returns whether it did.
+bool RunLinking::link(Index a, Index b, const Limits& limits, Index shift) {
+  const Index rootOfA = sets_.find(a), rootOfB = sets_.find(b);
+  if (rootOfA == rootOfB) return false;
+  const Index p = runs_.begin[at(a)], q = runs_.begin[at(b)];
+  const bool single = (runs_.end[at(a)] - p) + (runs_.end[at(b)] - q) == 2;
+  const bool linked =
+      single ? linkedNodes(at(p), at(q), limits,
+                           std::abs(nodes_.column[at(p)] - shift - nodes_.column[at(q)]))
+             : !apart(a, b, limits) && touches(a, b, limits, shift);
+  return linked && sets_.unite(rootOfA, rootOfB);
+}
+
+bool RunLinking::apart(Index a, Index b, const Limits& limits) const {
   const Component& one = runs_.measures[at(a)];
   const Component& other = runs_.measures[at(b)];
   const float dx = std::max(std::max(one.minX - other.maxX, other.minX - one.maxX), 0.0f);
   const float dy = std::max(std::max(one.minY - other.maxY, other.minY - one.maxY), 0.0f);
-  const float limit = std::max(std::min(limits_.ofRun[a], limits_.ofRun[b]), limits_.surface);
+  const float limit = std::max(std::min(limits.ofRun[a], limits.ofRun[b]), limits.surface);
   return dx * dx + dy * dy >= limit * limit;
 }
 
-bool RunLinking::touches(Index a, Index b, Index shift) const {
+bool RunLinking::touches(Index a, Index b, const Limits& limits, Index shift) const {
   const Index* const column = nodes_.column.data();
   const Index window = std::min(runs_.reaches.window[at(a)], runs_.reaches.window[at(b)]);
-  const Index first = runs_.firstColumn[at(b)] + shift - window;
   const Index last = runs_.lastColumn[at(b)] + shift + window;
   const Index endOfA = runs_.end[at(a)], endOfB = runs_.end[at(b)];
-  Index low = runs_.begin[at(b)];
-  for (Index p = runs_.begin[at(a)]; p < endOfA && column[p] <= last; ++p) {
-    if (column[p] < first) continue;
+  // Runs are mostly short: only in long ones is the first node in reach searched for.
+  const Index first = runs_.firstColumn[at(b)] + shift - window;
+  Index p = runs_.begin[at(a)], low = runs_.begin[at(b)];
+  if (endOfA - p > kShort) p = firstFrom(p, endOfA, first);
+  while (p < endOfA && column[p] < first) ++p;
+  if (p < endOfA && endOfB - low > kShort) low = firstFrom(low, endOfB, column[p] - shift - window);
+  for (; p < endOfA && column[p] <= last; ++p) {
     const Index here = column[p] - shift;
     while (low < endOfB && column[low] < here - window) ++low;
     for (Index q = low; q < endOfB && column[q] <= here + window; ++q) {
-      if (linkedNodes(at(p), at(q), std::abs(here - column[q]))) return true;
+      if (linkedNodes(at(p), at(q), limits, std::abs(here - column[q]))) return true;
     }
   }
   return false;
 }
 
-bool RunLinking::linkedNodes(std::size_t a, std::size_t b, Index columnGap) const {
+/// First of consecutive nodes that lies in a column or right of it.
+RunLinking::Index RunLinking::firstFrom(Index begin, Index end, Index column) const {
+  const Index* const columns = nodes_.column.data();
+  return static_cast<Index>(std::lower_bound(columns + begin, columns + end, column) - columns);
+}
+
+bool RunLinking::linkedNodes(std::size_t a, std::size_t b, const Limits& limits,
+                             Index columnGap) const {
   const float dx = nodes_.x[a] - nodes_.x[b], dy = nodes_.y[a] - nodes_.y[b];
   const float squared = dx * dx + dy * dy;
-  const float limit = std::min(limits_.ofNode[a], limits_.ofNode[b]);
+  const float limit = std::min(limits.ofNode[a], limits.ofNode[b]);
   const Index window = std::min(reaches_.window[a], reaches_.window[b]);
-  if (squared < limit * limit && columnGap <= window &&
-      std::abs(nodes_.z[a] - nodes_.z[b]) <= limits_.height) {
-    return true;
-  }
-  return squared < limits_.surface * limits_.surface && columnGap <= 1 &&
-         std::max(nodes_.z[a], nodes_.z[b]) <= -rules_.surfaceDepth;
+  // Without branches, as no one could foretell them.
+  const bool near = (squared < limit * limit) & (columnGap <= window) &
+                    (std::abs(nodes_.z[a] - nodes_.z[b]) <= limits.height);
+  const bool ofOneSurface = (squared < limits.surface * limits.surface) & (columnGap <= 1) &
+                            (std::max(nodes_.z[a], nodes_.z[b]) <= -rules_.surfaceDepth);
+  return near | ofOneSurface;
 }
 
 }  // namespace toss

@@ -4,11 +4,11 @@
 #include <toss/segmentation/LinkRules.h>
 #include <toss/segmentation/ObjectNodes.h>
 #include <toss/segmentation/RowRuns.h>
+#include <toss/segmentation/RunSearch.h>
 #include <toss/segmentation/UnionFind.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace toss {
 
@@ -16,20 +16,18 @@ namespace toss {
 /// and ring closure, between rows its vertical merge, both also across the rear seam.
 class RunLinking {
  public:
-  /// `reaches`: those of the nodes by which `runs` were cut. All references must outlive this.
+  /// `reaches`: those of the nodes by which `runs` were cut; `search`: buffers. All references must
+  /// outlive this.
   RunLinking(const ObjectNodes& nodes, const NodeReaches& reaches, const RowRuns& runs,
-             const LinkRules& rules, UnionFind& sets);
+             const LinkRules& rules, RunSearch& search, UnionFind& sets);
 
   /// Unites the runs of `row` with each other and with those of the rows above that links reach.
   void linkRow(int row);
 
  private:
   using Index = std::int32_t;
-  /// Consecutive runs of a row.
-  struct Span {
-    Index begin, end;
-  };
-  /// What holds for the two rows at hand: link distances of nodes and of runs [m], limit of the
+  using Span = RunColumns::Span;
+  /// What holds for links of two rows: link distances of nodes and of runs [m], limit of the
   /// height difference [m] and surface distance [m].
   struct Limits {
     const float *ofNode, *ofRun;
@@ -38,25 +36,30 @@ class RunLinking {
   static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
   Span runsOf(int row) const;
   /// The first and the last runs of a row, which may lie in reach of each other across the seam.
-  Span firstOf(Span row) const;
-  Span lastOf(Span row) const;
-  void linkWithin(Span row);
-  void linkBetween(Span row, Span upper);
-  /// Links runs with others, as these lie when moved by `shift` columns to the right. Of the same
-  /// row (`within`), each pair is looked at once.
-  void sweep(Span runs, Span others, Index shift, bool within = false);
-  void link(Index a, Index b, Index shift);
+  Span firstOf(int row) const;
+  Span lastOf(int row) const;
+  /// Tells the search of which sets runs are.
+  void noteSets(Span runs);
+  /// Links runs of `row` with those of the rows above and of the same row, as these lie when moved
+  /// by `shift` columns to the right.
+  void linkUpwards(Span runs, int row, Index shift);
+  void linkWithin(Span runs, int row, Index shift);
+  template <bool withSurface>
+  void linkNear(Index a, Span others, RunVicinity& vicinity, const Limits& limits, Index shift);
+  bool link(Index a, Index b, const Limits& limits, Index shift);
   /// Whether the rectangles around two runs are too far apart for any of their nodes to be linked.
-  bool apart(Index a, Index b) const;
-  bool touches(Index a, Index b, Index shift) const;
-  bool linkedNodes(std::size_t a, std::size_t b, Index columnGap) const;
+  bool apart(Index a, Index b, const Limits& limits) const;
+  bool touches(Index a, Index b, const Limits& limits, Index shift) const;
+  Index firstFrom(Index begin, Index end, Index column) const;
+  bool linkedNodes(std::size_t a, std::size_t b, const Limits& limits, Index columnGap) const;
 
   const ObjectNodes& nodes_;
   const NodeReaches& reaches_;
   const RowRuns& runs_;
   const LinkRules& rules_;
+  RunSearch& search_;
   UnionFind& sets_;
-  Limits limits_ = {};
+  Limits within_, nextRow_, fartherRow_;
 };
 
 }  // namespace toss

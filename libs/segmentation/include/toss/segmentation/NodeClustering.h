@@ -5,6 +5,7 @@
 #include <toss/segmentation/LinkRules.h>
 #include <toss/segmentation/ObjectNodes.h>
 #include <toss/segmentation/RowRuns.h>
+#include <toss/segmentation/RunSearch.h>
 #include <toss/segmentation/UnionFind.h>
 
 #include <cstdint>
@@ -34,6 +35,7 @@ class NodeClustering {
   void link(const ObjectNodes& nodes, const NodeReaches& reaches, const LinkRules& rules);
 
   RowRuns runs_;
+  RunSearch search_;
   UnionFind sets_;
   std::vector<std::int32_t> componentOfRun_;
   std::vector<Component> components_;

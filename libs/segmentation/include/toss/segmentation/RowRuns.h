@@ -20,6 +20,8 @@ struct RowRuns {
   std::vector<std::int32_t> firstColumn, lastColumn;
   /// Least and greatest range of the nodes [m], shape [runs].
   std::vector<float> nearest, farthest;
+  /// Lowest coordinate z of the nodes [m], shape [runs].
+  std::vector<float> lowest;
   /// Greatest reach of the nodes, shape [runs] each.
   NodeReaches reaches;
   /// Size and place of each run, shape [runs].
@@ -42,11 +44,12 @@ struct RowRuns {
   void clear();
   /// Finds which nodes are linked with the one before them.
   void findLinks(const ObjectNodes& nodes, const NodeReaches& reaches);
-  /// Adds the runs of consecutive nodes of a row.
-  void cut(const ObjectNodes& nodes, const NodeReaches& reaches, std::int32_t first,
-           std::int32_t last);
-  void add(const ObjectNodes& nodes, const NodeReaches& reaches, std::int32_t first,
-           std::int32_t last);
+  /// Adds the runs of the nodes first..last - 1 of a row.
+  void cut(std::int32_t first, std::int32_t last);
+  /// Fills all that is known of the runs.
+  void measure(const ObjectNodes& nodes, const NodeReaches& reaches);
+  void measureRun(const ObjectNodes& nodes, const NodeReaches& reaches, std::size_t run,
+                  std::size_t first, std::size_t last);
 
   /// Whether each node is linked with the one before it, shape [nodes].
   std::vector<std::uint8_t> linked_;

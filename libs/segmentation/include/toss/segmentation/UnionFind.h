@@ -41,15 +41,6 @@ class UnionFind {
     return true;
   }
 
-  /// Makes the parents of the members begin..end-1 their representatives.
-  void flatten(std::int32_t begin, std::int32_t end) {
-    for (std::int32_t i = begin; i < end; ++i) parent(i) = find(i);
-  }
-
-  /// A member of the set of each number, never greater than it, for a quick look: numbers whose
-  /// parent is the same are of one set. Shape [size()].
-  const std::int32_t* parents() const { return parent_.data(); }
-
  private:
   std::int32_t& parent(std::int32_t i) { return parent_[static_cast<std::size_t>(i)]; }
 

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs found by column and by a glance at their keys, against a look at every run.
+#include <gtest/gtest.h>
+#include <toss/segmentation/RunColumns.h>
+#include <toss/segmentation/RunKeys.h>
+
+#include <cmath>
+#include <random>
+
+namespace toss::test {
+namespace {
+
+constexpr std::int32_t kColumns = 1000;
+constexpr int kRows = 4;
+
+/// Runs of random length, gap and range; those of the last row are far beyond what keys tell apart.
+RowRuns randomRuns(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> range(1.0f, 60.0f), depth(0.0f, 3.0f), reach(0.1f, 1.0f);
+  std::uniform_int_distribution<std::int32_t> length(0, 6), gap(0, 20);
+  RowRuns runs;
+  runs.rowBegin.assign(1, 0);
+  for (int row = 0; row < kRows; ++row) {
+    for (std::int32_t column = gap(random); column < kColumns; column += gap(random)) {
+      const auto first = static_cast<std::int32_t>(runs.begin.size());
+      runs.begin.push_back(first), runs.end.push_back(first + 1);
+      runs.firstColumn.push_back(column);
+      column = std::min(column + length(random), kColumns - 1);
+      runs.lastColumn.push_back(column++);
+      runs.nearest.push_back(range(random) + (row == kRows - 1 ? 600.0f : 0.0f));
+      runs.farthest.push_back(runs.nearest.back() + depth(random));
+      runs.reaches.horizontal.push_back(reach(random));
+      runs.reaches.vertical.push_back(reach(random));
+    }
+    runs.rowBegin.push_back(static_cast<std::int32_t>(runs.begin.size()));
+  }
+  return runs;
+}
+
+bool reaches(const RowRuns& runs, std::size_t from, std::size_t to, float distance) {
+  return runs.nearest[to] <= runs.farthest[from] + distance &&
+         runs.farthest[to] >= runs.nearest[from] - distance;
+}
+
+TEST(RunColumns, FindsEveryRunThatTouchesTheColumns) {
+  const RowRuns runs = randomRuns(1);
+  RunColumns columns;
+  columns.build(runs, kColumns);
+  for (int row = 0; row < kRows; ++row) {
+    for (std::int32_t left = -30; left < kColumns + 30; left += 7) {
+      const std::int32_t right = left + 25;
+      const RunColumns::Span found = columns.touching(row, left, right);
+      ASSERT_GE(found.begin, runs.rowBegin[static_cast<std::size_t>(row)]);
+      ASSERT_LE(found.end, runs.rowBegin[static_cast<std::size_t>(row) + 1]);
+      for (auto run = runs.rowBegin[static_cast<std::size_t>(row)];
+           run < runs.rowBegin[static_cast<std::size_t>(row) + 1]; ++run) {
+        const auto r = static_cast<std::size_t>(run);
+        const bool touches = runs.firstColumn[r] <= right && runs.lastColumn[r] >= left;
+        const bool isFound = run >= found.begin && run < found.end;
+        EXPECT_TRUE(isFound || !touches) << "row " << row << ", left " << left << ", run " << run;
+        const bool near = runs.firstColumn[r] <= right + 4 && runs.lastColumn[r] >= left - 4;
+        const bool outside = right < 0 || left >= kColumns;
+        EXPECT_TRUE(!isFound || near || outside) << "row " << row << ", left " << left;
+      }
+    }
+  }
+}
+
+TEST(RunKeys, TellRunsInReachFromOthers) {
+  const RowRuns runs = randomRuns(2);
+  const auto count = static_cast<std::int32_t>(runs.size());
+  RunKeys keys;
+  keys.build(runs, 0.5f);
+  for (std::int32_t run = 0; run < count; ++run) keys.setSet(run, run % 3);
+  std::size_t refused = 0;
+  for (std::int32_t a = 0; a < count; a += 5) {
+    const auto from = static_cast<std::size_t>(a);
+    const RunVicinity vicinity =
+        keys.betweenRows(a, a % 3, runs.firstColumn[from], runs.lastColumn[from]);
+    for (std::int32_t b = 0; b < count; ++b) {
+      const auto to = static_cast<std::size_t>(b);
+      const bool close = reaches(runs, from, to, runs.reaches.vertical[from]);
+      const bool beside = runs.firstColumn[to] <= runs.lastColumn[from] + 1 &&
+                          runs.lastColumn[to] >= runs.firstColumn[from] - 1;
+      const bool surface = beside && reaches(runs, from, to, 0.5f);
+      const bool other = a % 3 != b % 3;
+      const bool found = (keys.inVicinity<false>(b, vicinity) & 1u) != 0;
+      const bool foundWithSurface = (keys.inVicinity<true>(b, vicinity) & 1u) != 0;
+      EXPECT_TRUE(found || !(close && other)) << a << " and " << b;
+      EXPECT_TRUE(foundWithSurface || !((close || surface) && other)) << a << " and " << b;
+      EXPECT_TRUE(other || !foundWithSurface) << a << " and " << b;
+      refused += foundWithSurface ? 0 : 1;
+    }
+  }
+  EXPECT_GT(refused, static_cast<std::size_t>(count) * static_cast<std::size_t>(count) / 10);
+}
+
+TEST(RunKeys, DoNotTellSetsOfLargeNumbersApart) {
+  const RowRuns runs = randomRuns(3);
+  RunKeys keys;
+  keys.build(runs, 0.5f);
+  for (const std::int32_t set : {65533, 65534, 65535, 1 << 20}) {
+    keys.setSet(0, set);
+    const auto found = [&](std::int32_t own) {
+      return (keys.inVicinity<false>(0, keys.withinRow(0, own)) & 1u) != 0;
+    };
+    EXPECT_EQ(found(set), set > 65533) << set;
+    EXPECT_TRUE(found(set + 1)) << set;
+    EXPECT_TRUE(found(7)) << set;
+  }
+}
+
+}  // namespace
+}  // namespace toss::test
