@@ -11,11 +11,25 @@ namespace toss {
 
 namespace {
 
+/// Contributions of the boxes of one call, held by the ledgers of these boxes.
+using Contributions = std::shared_ptr<std::vector<VoxelContribution>>;
+
 struct BoxLedger {
   TrackId track = 0;
   bool dynamic = false;
-  std::vector<VoxelContribution> contributions;
+  /// Those of this box: [begin, end) of `held`.
+  std::size_t begin = 0, end = 0;
+  Contributions held;
+
+  ContributionSpan span() const { return {held->data() + begin, held->data() + end}; }
 };
+
+/// Spare memory that is kept: a scan is settled for each that comes.
+constexpr std::size_t kSpares = 2;
+
+ContributionSpan spanOf(const std::vector<VoxelContribution>& all) {
+  return {all.data(), all.data() + all.size()};
+}
 
 }  // namespace
 
@@ -25,7 +39,21 @@ struct RevocableMap::Implementation {
   double keepRadius;
   tsl::robin_map<BoxId, BoxLedger> boxes;
   tsl::robin_map<TrackId, TraceLedger> traces;
+  /// Memory of scans whose boxes are all settled.
+  std::vector<Contributions> spares;
+  std::vector<ContributionSpan> spans;
 
+  Contributions spareOrNew() {
+    if (spares.empty()) return std::make_shared<std::vector<VoxelContribution>>();
+    const Contributions spare = std::move(spares.back());
+    spares.pop_back();
+    return spare;
+  }
+  void erase(tsl::robin_map<BoxId, BoxLedger>::iterator place) {
+    const Contributions held = std::move(place.value().held);
+    boxes.erase(place);
+    if (held.use_count() == 1 && spares.size() < kSpares) spares.push_back(held);
+  }
   tsl::robin_map<BoxId, BoxLedger>::iterator find(BoxId box) {
     const auto found = boxes.find(box);
     if (found == boxes.end()) {
@@ -41,6 +69,8 @@ RevocableMap::RevocableMap(const MappingOptions& options, const Eigen::Vector3d&
   implementation_.reset(
       new Implementation{VoxelMap(options.voxelSize, origin, options.tileSize, store),
                          options.tilesKeepRadius,
+                         {},
+                         {},
                          {},
                          {}});
 }
@@ -59,21 +89,35 @@ void RevocableMap::addPermanent(const std::vector<VoxelContribution>& contributi
   implementation_->voxels.add(contributions);
 }
 
-void RevocableMap::addPermanent(const VoxelContribution* first, const VoxelContribution* last) {
-  implementation_->voxels.add(first, last);
-}
-
 void RevocableMap::addBox(BoxId box, TrackId track, std::vector<VoxelContribution> contributions,
                           bool dynamic) {
   const auto [place, isNew] = implementation_->boxes.try_emplace(box);
   if (!isNew) throw std::logic_error("RevocableMap: box " + std::to_string(box) + " comes twice");
   if (!dynamic) implementation_->voxels.add(contributions);
-  place.value() = {track, dynamic, std::move(contributions)};
+  const std::size_t count = contributions.size();
+  place.value() = {track, dynamic, 0, count,
+                   std::make_shared<std::vector<VoxelContribution>>(std::move(contributions))};
+}
+
+void RevocableMap::addScan(BinnedReturns& binned, const std::vector<bool>& dynamic,
+                           BoxId firstBox) {
+  Implementation& map = *implementation_;
+  const Contributions held = map.spareOrNew();
+  held->swap(binned.contributions);
+  map.spans.assign(1, spanOf(binned.permanent));
+  for (const BinnedReturns::Owner& each : binned.owners) {
+    const BoxId box = firstBox + each.owner;
+    const auto [place, isNew] = map.boxes.try_emplace(box);
+    if (!isNew) throw std::logic_error("RevocableMap: box " + std::to_string(box) + " comes twice");
+    place.value() = {0, dynamic[each.owner], each.begin, each.end, held};
+    if (!dynamic[each.owner]) map.spans.push_back(place->second.span());
+  }
+  map.voxels.add(map.spans);
 }
 
 void RevocableMap::addToTrack(TrackId track, const std::vector<VoxelContribution>& contributions) {
   implementation_->voxels.add(contributions);
-  if (track != 0) implementation_->traces[track].add(contributions);
+  if (track != 0) implementation_->traces[track].add(spanOf(contributions));
 }
 
 void RevocableMap::setDynamic(BoxId box, bool dynamic) {
@@ -81,9 +125,9 @@ void RevocableMap::setDynamic(BoxId box, bool dynamic) {
   if (ledger.dynamic == dynamic) return;
   ledger.dynamic = dynamic;
   if (dynamic) {
-    implementation_->voxels.subtract(ledger.contributions);
+    implementation_->voxels.subtract(ledger.span());
   } else {
-    implementation_->voxels.add(ledger.contributions);
+    implementation_->voxels.add({ledger.span()});
   }
 }
 
@@ -91,9 +135,9 @@ void RevocableMap::fold(BoxId box) {
   const auto place = implementation_->find(box);
   const BoxLedger& ledger = place->second;
   if (!ledger.dynamic && ledger.track != 0) {
-    implementation_->traces[ledger.track].add(ledger.contributions);
+    implementation_->traces[ledger.track].add(ledger.span());
   }
-  implementation_->boxes.erase(place);
+  implementation_->erase(place);
 }
 
 void RevocableMap::revokeTrack(TrackId track) {
@@ -104,7 +148,7 @@ void RevocableMap::revokeTrack(TrackId track) {
 }
 
 void RevocableMap::settleBox(BoxId box) {
-  implementation_->boxes.erase(implementation_->find(box));
+  implementation_->erase(implementation_->find(box));
 }
 
 void RevocableMap::settleTrack(TrackId track) {
@@ -120,7 +164,7 @@ std::size_t RevocableMap::ledgerBytes() const {
   std::size_t bytes = implementation_->boxes.bucket_count() * sizeof(BoxLedger) +
                       implementation_->traces.bucket_count() * sizeof(TraceLedger);
   for (const auto& [box, ledger] : implementation_->boxes) {
-    bytes += ledger.contributions.capacity() * sizeof(VoxelContribution);
+    bytes += (ledger.end - ledger.begin) * sizeof(VoxelContribution);
   }
   for (const auto& [track, ledger] : implementation_->traces) bytes += ledger.bytes();
   return bytes;

@@ -37,10 +37,11 @@ std::size_t gallop(const std::vector<VoxelSum>& sums, std::size_t first, std::si
 
 }  // namespace
 
-void TraceLedger::add(const std::vector<VoxelContribution>& contributions) {
+void TraceLedger::add(const ContributionSpan& contributions) {
   const std::size_t known = sums_.size();
   std::size_t place = 0;
-  for (const VoxelContribution& c : contributions) {
+  for (const VoxelContribution* next = contributions.begin; next != contributions.end; ++next) {
+    const VoxelContribution& c = *next;
     place = gallop(sums_, place, known, c.key);
     const bool isKnown = place < known && sums_[place].key == c.key;
     if (!isKnown) sums_.push_back({c.key, 0, 0, 0, 0, 0});

@@ -9,8 +9,7 @@ namespace toss {
 /// trace was seen there (spec section 8.3).
 class TraceLedger {
  public:
-  /// `contributions` by ascending key.
-  void add(const std::vector<VoxelContribution>& contributions);
+  void add(const ContributionSpan& contributions);
   /// By ascending key.
   const std::vector<VoxelSum>& sums() const { return sums_; }
   std::size_t bytes() const { return sums_.capacity() * sizeof(VoxelSum); }

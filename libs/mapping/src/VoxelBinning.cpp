@@ -28,19 +28,19 @@ VoxelContribution beginOf(const VoxelRun& run, const VoxelReturns& returns, std:
 
 std::size_t VoxelBinning::sum(const VoxelReturns& returns, std::uint32_t cap,
                               BinnedReturns& result) {
-  std::vector<VoxelContribution>& sums = result.contributions;
-  sums.clear();
+  result.permanent.clear();
+  result.contributions.clear();
   result.owners.clear();
   runs_.clear();
   const std::size_t leftOut = appendRuns(returns, 0, returns.count, cap, runs_);
-  sums.reserve(runs_.size());
   for (const RunGrouping::Group& brick : grouping_.byOwnerAndBrick(runs_)) {
     const std::uint32_t owner = brick.begin->owner;
-    if (result.owners.empty() || result.owners.back().owner != owner)
+    std::vector<VoxelContribution>& sums = owner == 0 ? result.permanent : result.contributions;
+    if (owner != 0 && (result.owners.empty() || result.owners.back().owner != owner))
       result.owners.push_back({owner, sums.size(), sums.size()});
     makePlaces(brick, sums);
     addBrick(returns, brick, cap, sums);
-    result.owners.back().end = sums.size();
+    if (owner != 0) result.owners.back().end = sums.size();
   }
   return leftOut;
 }

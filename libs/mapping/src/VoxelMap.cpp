@@ -78,9 +78,9 @@ std::size_t VoxelMap::bin(const std::vector<float>& x, const std::vector<float>&
   returns.indices = indices.data;
   returns.count = indices.count;
   BinnedReturns binned;
-  binned.contributions.swap(result);
+  binned.permanent.swap(result);
   const std::size_t leftOut = threadsBinning().sum(returns, cap, binned);
-  result.swap(binned.contributions);
+  result.swap(binned.permanent);
   return leftOut;
 }
 
@@ -101,13 +101,24 @@ void VoxelMap::add(const std::vector<VoxelContribution>& contributions) {
 }
 
 void VoxelMap::add(const VoxelContribution* first, const VoxelContribution* last) {
-  implementation_->tiles.add(first, last);
+  VoxelTiles::Adding adding(implementation_->tiles);
+  adding.add({first, last});
+  adding.finish();
+}
+
+void VoxelMap::add(const std::vector<ContributionSpan>& spans) {
+  VoxelTiles::Adding adding(implementation_->tiles);
+  for (const ContributionSpan& span : spans) adding.add(span);
+  adding.finish();
 }
 
 void VoxelMap::subtract(const std::vector<VoxelContribution>& contributions) {
-  for (const VoxelContribution& c : contributions) {
-    implementation_->tiles.subtract({c.key, c.count, c.x, c.y, c.z, c.intensity});
-  }
+  subtract(ContributionSpan{contributions.data(), contributions.data() + contributions.size()});
+}
+
+void VoxelMap::subtract(const ContributionSpan& span) {
+  for (const VoxelContribution* c = span.begin; c != span.end; ++c)
+    implementation_->tiles.subtract({c->key, c->count, c->x, c->y, c->z, c->intensity});
 }
 
 void VoxelMap::subtract(const std::vector<VoxelSum>& sums) {

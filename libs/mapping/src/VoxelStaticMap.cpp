@@ -33,14 +33,7 @@ void VoxelStaticMap::addScan(const ScanReturns& scan, const std::vector<std::int
                              const std::vector<bool>& dynamic, BoxId firstBox) {
   leftOut_ += map_.voxels().binByOwner(scan.level.x, scan.level.y, scan.level.z, scan.intensity,
                                        scan.sensorPosition, owner, cap_, binned_);
-  for (const BinnedReturns::Owner& each : binned_.owners) {
-    const VoxelContribution* const first = binned_.contributions.data() + each.begin;
-    const VoxelContribution* const last = binned_.contributions.data() + each.end;
-    if (each.owner == 0)
-      map_.addPermanent(first, last);
-    else
-      map_.addBox(firstBox + each.owner, 0, {first, last}, dynamic[each.owner]);
-  }
+  map_.addScan(binned_, dynamic, firstBox);
 }
 
 }  // namespace toss

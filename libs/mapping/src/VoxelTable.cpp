@@ -2,19 +2,11 @@
 #include "VoxelTable.h"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
 namespace toss {
 
 namespace {
-
-VoxelBrick::Group nextGroup(const VoxelContribution* first, const VoxelContribution* last) {
-  VoxelBrick::Group group{first, first};
-  const VoxelKey brickKey = first->key >> kBrickShift;
-  while (group.end != last && group.end->key >> kBrickShift == brickKey) ++group.end;
-  return group;
-}
 
 VoxelKey brickKeyOf(const VoxelBrick::Group& group) {
   return group.begin->key >> kBrickShift;
@@ -27,34 +19,30 @@ std::size_t VoxelTable::Hash::operator()(VoxelKey brickKey) const {
   return static_cast<std::size_t>(brickKey ^ brickKey >> 32);
 }
 
-void VoxelTable::add(const VoxelContribution* first, const VoxelContribution* last) {
-  while (first != last) {
-    std::array<VoxelBrick::Group, kBatch> batch;
-    std::size_t count = 0;
-    for (; count < kBatch && first != last; first = batch[count++].end)
-      batch[count] = nextGroup(first, last);
-    addBatch(batch.data(), batch.data() + count);
+std::size_t VoxelTable::add(Addition* first, Addition* last) {
+  for (Addition* addition = first; addition != last; ++addition) {
+    auto& bricks = addition->table->bricks_;
+    const auto place = bricks.find(brickKeyOf(addition->group));
+    addition->brick = place == bricks.end() ? nullptr : &place.value();
+    if (addition->brick) addition->brick->prefetchBlocks();
   }
+  for (const Addition* addition = first; addition != last; ++addition)
+    if (addition->brick) addition->brick->prefetchRecords(addition->group);
+  std::size_t added = 0;
+  for (const Addition* addition = first; addition != last; ++addition)
+    if (addition->brick) added += addition->table->add(*addition, *addition->brick);
+  // New bricks come last: they may move the others.
+  for (const Addition* addition = first; addition != last; ++addition)
+    if (!addition->brick)
+      added +=
+          addition->table->add(*addition, addition->table->bricks_[brickKeyOf(addition->group)]);
+  return added;
 }
 
-void VoxelTable::addBatch(const VoxelBrick::Group* first, const VoxelBrick::Group* last) {
-  std::array<VoxelBrick*, kBatch> known;
-  for (const VoxelBrick::Group* group = first; group != last; ++group) {
-    const auto place = bricks_.find(brickKeyOf(*group));
-    VoxelBrick*& brick = known[static_cast<std::size_t>(group - first)];
-    brick = place == bricks_.end() ? nullptr : &place.value();
-    if (brick) brick->prefetchBlocks();
-  }
-  for (const VoxelBrick::Group* group = first; group != last; ++group)
-    if (const VoxelBrick* const brick = known[static_cast<std::size_t>(group - first)])
-      brick->prefetchRecords(*group);
-  for (const VoxelBrick::Group* group = first; group != last; ++group)
-    if (VoxelBrick* const brick = known[static_cast<std::size_t>(group - first)])
-      size_ += brick->add(*group);
-  // New bricks come last: they may move the others.
-  for (const VoxelBrick::Group* group = first; group != last; ++group)
-    if (!known[static_cast<std::size_t>(group - first)])
-      size_ += bricks_[brickKeyOf(*group)].add(*group);
+std::uint32_t VoxelTable::add(const Addition& addition, VoxelBrick& brick) {
+  const std::uint32_t added = brick.add(addition.group);
+  size_ += added;
+  return added;
 }
 
 void VoxelTable::subtract(const VoxelSum& sum) {

@@ -10,8 +10,16 @@ namespace toss {
 /// Voxels of a map: bricks in an open-addressing table, of which a scan touches few.
 class VoxelTable {
  public:
-  /// Adds contributions [first, last), by ascending key.
-  void add(const VoxelContribution* first, const VoxelContribution* last);
+  /// Contributions in a row that go to one brick of a table.
+  struct Addition {
+    VoxelTable* table;
+    VoxelBrick::Group group;
+    /// Set by add(): the brick, nullptr where it is new.
+    VoxelBrick* brick;
+  };
+  /// Adds [first, last), few enough for the first-level cache: the memory answers the questions
+  /// for all of them at a time. Returns how many voxels were not there before.
+  static std::size_t add(Addition* first, Addition* last);
   /// Takes one sum back; std::logic_error where it was never added.
   void subtract(const VoxelSum& sum);
 
@@ -29,12 +37,10 @@ class VoxelTable {
   void restore(const std::vector<std::uint8_t>& bytes);
 
  private:
-  /// Bricks that are looked up together, so that the memory answers many questions at a time.
-  static constexpr std::size_t kBatch = 16;
   struct Hash {
     std::size_t operator()(VoxelKey brickKey) const;
   };
-  void addBatch(const VoxelBrick::Group* first, const VoxelBrick::Group* last);
+  std::uint32_t add(const Addition& addition, VoxelBrick& brick);
   std::vector<VoxelKey> sortedBricks() const;
 
   tsl::robin_map<VoxelKey, VoxelBrick, Hash> bricks_;

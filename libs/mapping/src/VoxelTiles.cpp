@@ -39,20 +39,29 @@ VoxelTiles::Tile& VoxelTiles::tileOf(VoxelKey key) {
   return tile;
 }
 
-void VoxelTiles::add(const VoxelContribution* first, const VoxelContribution* last) {
-  while (first != last) {
-    const VoxelContribution* end = last;
-    if ((last - 1)->key >> shift_ != first->key >> shift_) {
-      const VoxelKey next = ((first->key >> shift_) + 1) << shift_;
-      end = std::partition_point(first, last,
-                                 [next](const VoxelContribution& c) { return c.key < next; });
-    }
-    VoxelTable& table = *tileOf(first->key).table;
-    const std::size_t before = table.size();
-    table.add(first, end);
-    size_ += table.size() - before;
-    first = end;
+VoxelTable& VoxelTiles::Adding::tableOf(VoxelKey key) {
+  if (!table_ || key >> tiles_.shift_ != tile_) {
+    tile_ = key >> tiles_.shift_;
+    table_ = tiles_.tileOf(key).table.get();
   }
+  return *table_;
+}
+
+void VoxelTiles::Adding::add(const ContributionSpan& span) {
+  for (const VoxelContribution* next = span.begin; next != span.end;) {
+    const VoxelKey brickKey = next->key >> kBrickShift;
+    VoxelTable::Addition& addition = batch_[count_++];
+    addition.table = &tableOf(next->key);
+    addition.group.begin = next;
+    while (next != span.end && next->key >> kBrickShift == brickKey) ++next;
+    addition.group.end = next;
+    if (count_ == kBatch) finish();
+  }
+}
+
+void VoxelTiles::Adding::finish() {
+  tiles_.size_ += VoxelTable::add(batch_.data(), batch_.data() + count_);
+  count_ = 0;
 }
 
 void VoxelTiles::subtract(const VoxelSum& sum) {

@@ -3,6 +3,7 @@
 
 #include <toss/mapping/TileStore.h>
 
+#include <array>
 #include <map>
 
 #include "VoxelTable.h"
@@ -17,8 +18,25 @@ class VoxelTiles {
   /// `store`: outlives this object; nullptr = everything stays in memory.
   VoxelTiles(double tileVoxels, TileStore* store);
 
-  /// Adds contributions [first, last), by ascending key.
-  void add(const VoxelContribution* first, const VoxelContribution* last);
+  /// Adds what it is given, at the latest with finish(): bricks of several spans together.
+  class Adding {
+   public:
+    explicit Adding(VoxelTiles& tiles) : tiles_(tiles) {}
+    void add(const ContributionSpan& span);
+    void finish();
+
+   private:
+    /// Bricks that are looked up together.
+    static constexpr std::size_t kBatch = 32;
+    VoxelTable& tableOf(VoxelKey key);
+
+    VoxelTiles& tiles_;
+    std::array<VoxelTable::Addition, kBatch> batch_;
+    std::size_t count_ = 0;
+    std::uint64_t tile_ = 0;
+    /// Of `tile_`; nullptr before the first one.
+    VoxelTable* table_ = nullptr;
+  };
   /// Takes one sum back; std::logic_error where it was never added.
   void subtract(const VoxelSum& sum);
   /// Puts tiles into the store that are farther than `radius` from `place` (both in voxels, counted

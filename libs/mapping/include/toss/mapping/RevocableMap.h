@@ -29,10 +29,13 @@ class RevocableMap {
 
   /// Adds returns that can not move any more: ground, background; by ascending key.
   void addPermanent(const std::vector<VoxelContribution>& contributions);
-  void addPermanent(const VoxelContribution* first, const VoxelContribution* last);
   /// Enters a box with its returns, by ascending key; they are in the map while the box is static.
   /// Throws std::logic_error for a box that was entered before.
   void addBox(BoxId box, TrackId track, std::vector<VoxelContribution> contributions, bool dynamic);
+  /// Enters a whole scan: what is permanent, and each owner k > 0 as a box of the number
+  /// firstBox + k without a trace, `dynamic` where dynamic[k]. Takes the contributions of the
+  /// owners out of `binned` and leaves memory of an earlier scan in their place.
+  void addScan(BinnedReturns& binned, const std::vector<bool>& dynamic, BoxId firstBox);
   /// Adds returns that have no box but go with a trace, by ascending key: as if a static box of
   /// theirs had been folded.
   void addToTrack(TrackId track, const std::vector<VoxelContribution>& contributions);
