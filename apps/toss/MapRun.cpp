@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapRun.h"
 
+#include <tbb/concurrent_queue.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_pipeline.h>
@@ -39,15 +40,22 @@ struct Passage {
   /// Whether it is of a scan, as against one of those that are settled at the end.
   bool ofScan = true;
   PosedScan scan;
+  FirstStages first;
   double progress = 0.0;
   ScanLabels live;
   Segmentation segmentation;
   std::vector<std::pair<std::string, double>> times;
   std::vector<SettledScan> settled;
+
+  void settle(std::vector<ScanLabels>&& labels) {
+    settled.resize(labels.size());
+    for (std::size_t i = 0; i < labels.size(); ++i) settled[i].labels = std::move(labels[i]);
+  }
 };
 
-/// The stages of the program around the pipeline: reading, method, and the writing of settled scans
-/// in three steps, of which only that of the label files, one each, does not go in order.
+/// The stages of the program around the pipeline: reading, the method in two steps, and the writing
+/// of settled scans in three, of which only that of the label files, one each, does not go in
+/// order.
 class MapRunner {
  public:
   MapRunner(const MapRequest& request, const std::vector<LidarSetup>& lidars,
@@ -68,6 +76,7 @@ class MapRunner {
     tbb::parallel_pipeline(
         kScansInFlight,
         tbb::make_filter<void, Item>(inOrder, [&](tbb::flow_control& flow) { return read(flow); }) &
+            tbb::make_filter<Item, Item>(inOrder, [&](Item item) { return segment(item); }) &
             tbb::make_filter<Item, Item>(inOrder, [&](Item item) { return process(item); }) &
             writing());
     pipeline_.finish();
@@ -75,12 +84,13 @@ class MapRunner {
     auto next = left.begin();
     tbb::parallel_pipeline(kScansInFlight,
                            tbb::make_filter<void, Item>(inOrder, [&](tbb::flow_control& flow) {
-                             auto item = std::make_shared<Passage>();
+                             const Item item = spareOrNew();
                              item->ofScan = false;
+                             item->settled.resize(1);
                              if (next == left.end())
                                flow.stop();
                              else
-                               item->settled.push_back({PosedScan(), std::move(*next++)});
+                               item->settled.front().labels = std::move(*next++);
                              return item;
                            }) & writing());
     if (written_ == 0)
@@ -101,23 +111,36 @@ class MapRunner {
     return tbb::make_filter<Item, Item>(inOrder, [&](Item item) { return readAgain(item); }) &
            tbb::make_filter<Item, Item>(tbb::filter_mode::parallel,
                                         [&](Item item) { return writeLabels(item); }) &
-           tbb::make_filter<Item, void>(inOrder, [&](const Item& item) { write(*item); });
+           tbb::make_filter<Item, void>(inOrder, [&](const Item& item) {
+             write(*item);
+             spares_.push(item);
+           });
   }
 
-  std::shared_ptr<Passage> read(tbb::flow_control& flow) {
-    auto item = std::make_shared<Passage>();
+  /// Memory fresh from the system costs more than what is written into it.
+  Item spareOrNew() {
+    Item item;
+    return spares_.try_pop(item) ? item : std::make_shared<Passage>();
+  }
+
+  Item read(tbb::flow_control& flow) {
+    const Item item = spareOrNew();
     if (!scans_.next(item->scan)) flow.stop();
     item->progress = scans_.progress();
     return item;
   }
 
-  std::shared_ptr<Passage> process(const std::shared_ptr<Passage>& item) {
-    const ScanLabels& live = pipeline_.process(item->scan);
+  Item segment(const Item& item) {
+    pipeline_.segment(item->scan, item->first);
+    return item;
+  }
+
+  Item process(const Item& item) {
+    const ScanLabels& live = pipeline_.process(item->scan, item->first);
     if (request_.liveLabels) item->live = live;
     if (request_.instances) item->segmentation = pipeline_.segmentedScan().segmentation;
     item->times = pipeline_.stageTimes();
-    for (ScanLabels& labels : pipeline_.takeSettled())
-      item->settled.push_back({PosedScan(), std::move(labels)});
+    item->settle(pipeline_.takeSettled());
     return item;
   }
 
@@ -154,6 +177,8 @@ class MapRunner {
   MapOutputs outputs_;
   Progress progress_;
   std::uint64_t written_ = 0;
+  /// Items that have gone all the way.
+  tbb::concurrent_queue<Item> spares_;
 };
 
 void draw(const MapRequest& request, const MapContent& content, const RenderOptions& options) {

@@ -22,31 +22,37 @@ int firstOf(std::uint64_t mask) {
 
 /// Room for growth: a brick that fills up is seldom moved, and little is left unused.
 std::uint32_t capacityFor(std::uint32_t size) {
-  return size + size / 8 + 1;
+  return size + size / 4 + 2;
 }
 
 }  // namespace
 
-std::uint32_t VoxelBrick::add(const Group& group) {
-  std::uint64_t added[64], addedBlocks = 0;
+std::uint32_t VoxelBrick::add(const Group* first, const Group* last) {
+  std::uint64_t added[64] = {}, addedBlocks = 0;
   const std::uint32_t before = size_;
-  for (const VoxelContribution* c = group.begin; c != group.end;) {
-    const VoxelKey blockKey = c->key >> kBlockShift;
-    std::uint64_t mask = 0;
-    for (; c != group.end && c->key >> kBlockShift == blockKey; ++c) mask |= bitOf(c->key);
-    const Block* const block = find(blockKey << kBlockShift);
-    if (block) mask &= ~block->mask;
-    added[blockKey & 63] = mask;
-    if (mask != 0) addedBlocks |= bitOf(blockKey);
+  for (const Group* group = first; group != last; ++group) {
+    for (const VoxelContribution* c = group->begin; c != group->end;) {
+      const VoxelKey blockKey = c->key >> kBlockShift;
+      std::uint64_t mask = 0;
+      for (; c != group->end && c->key >> kBlockShift == blockKey; ++c) mask |= bitOf(c->key);
+      const Block* const block = find(blockKey << kBlockShift);
+      if (block) mask &= ~block->mask;
+      added[blockKey & 63] |= mask;
+      if (mask != 0) addedBlocks |= bitOf(blockKey);
+    }
   }
   if (addedBlocks != 0) make(added, addedBlocks);
+  for (const Group* group = first; group != last; ++group) addToRecords(*group);
+  return size_ - before;
+}
+
+void VoxelBrick::addToRecords(const Group& group) {
   for (const VoxelContribution* c = group.begin; c != group.end;) {
     const VoxelKey blockKey = c->key >> kBlockShift;
     const Block block = *find(c->key);
     for (; c != group.end && c->key >> kBlockShift == blockKey; ++c)
       records_[block.first + countBits(block.mask & (bitOf(c->key) - 1))].add(*c);
   }
-  return size_ - before;
 }
 
 void VoxelBrick::make(const std::uint64_t* added, std::uint64_t addedBlocks) {

@@ -14,8 +14,8 @@ class VoxelBrick {
     const VoxelContribution *begin, *end;
   };
 
-  /// Adds them; returns how many voxels were not there before.
-  std::uint32_t add(const Group& group);
+  /// Adds the groups [first, last); returns how many voxels were not there before.
+  std::uint32_t add(const Group* first, const Group* last);
   /// Takes one sum back; returns how many voxels are empty and gone by it. std::logic_error where
   /// it was never added.
   std::uint32_t subtract(const VoxelSum& sum);
@@ -70,6 +70,7 @@ class VoxelBrick {
   void make(const std::uint64_t* added, std::uint64_t addedBlocks);
   void moveRecords(const Block* blocks, int count, const std::uint64_t* addedOf,
                    std::uint32_t newSize);
+  void addToRecords(const Group& group);
   void erase(VoxelKey key, Block& block);
   void reserve(std::uint32_t size);
 

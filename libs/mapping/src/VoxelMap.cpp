@@ -101,15 +101,12 @@ void VoxelMap::add(const std::vector<VoxelContribution>& contributions) {
 }
 
 void VoxelMap::add(const VoxelContribution* first, const VoxelContribution* last) {
-  VoxelTiles::Adding adding(implementation_->tiles);
-  adding.add({first, last});
-  adding.finish();
+  const ContributionSpan span{first, last};
+  implementation_->tiles.add(&span, &span + 1);
 }
 
 void VoxelMap::add(const std::vector<ContributionSpan>& spans) {
-  VoxelTiles::Adding adding(implementation_->tiles);
-  for (const ContributionSpan& span : spans) adding.add(span);
-  adding.finish();
+  implementation_->tiles.add(spans.data(), spans.data() + spans.size());
 }
 
 void VoxelMap::subtract(const std::vector<VoxelContribution>& contributions) {

@@ -8,8 +8,8 @@ namespace toss {
 
 namespace {
 
-VoxelKey brickKeyOf(const VoxelBrick::Group& group) {
-  return group.begin->key >> kBrickShift;
+VoxelKey brickKeyOf(const VoxelTable::Addition& addition) {
+  return addition.first->begin->key >> kBrickShift;
 }
 
 }  // namespace
@@ -22,25 +22,26 @@ std::size_t VoxelTable::Hash::operator()(VoxelKey brickKey) const {
 std::size_t VoxelTable::add(Addition* first, Addition* last) {
   for (Addition* addition = first; addition != last; ++addition) {
     auto& bricks = addition->table->bricks_;
-    const auto place = bricks.find(brickKeyOf(addition->group));
+    const auto place = bricks.find(brickKeyOf(*addition));
     addition->brick = place == bricks.end() ? nullptr : &place.value();
     if (addition->brick) addition->brick->prefetchBlocks();
   }
   for (const Addition* addition = first; addition != last; ++addition)
-    if (addition->brick) addition->brick->prefetchRecords(addition->group);
+    if (addition->brick)
+      for (const VoxelBrick::Group* group = addition->first; group != addition->last; ++group)
+        addition->brick->prefetchRecords(*group);
   std::size_t added = 0;
   for (const Addition* addition = first; addition != last; ++addition)
     if (addition->brick) added += addition->table->add(*addition, *addition->brick);
   // New bricks come last: they may move the others.
   for (const Addition* addition = first; addition != last; ++addition)
     if (!addition->brick)
-      added +=
-          addition->table->add(*addition, addition->table->bricks_[brickKeyOf(addition->group)]);
+      added += addition->table->add(*addition, addition->table->bricks_[brickKeyOf(*addition)]);
   return added;
 }
 
 std::uint32_t VoxelTable::add(const Addition& addition, VoxelBrick& brick) {
-  const std::uint32_t added = brick.add(addition.group);
+  const std::uint32_t added = brick.add(addition.first, addition.last);
   size_ += added;
   return added;
 }

@@ -10,10 +10,10 @@ namespace toss {
 /// Voxels of a map: bricks in an open-addressing table, of which a scan touches few.
 class VoxelTable {
  public:
-  /// Contributions in a row that go to one brick of a table.
+  /// Groups [first, last) of contributions that go to one brick of a table.
   struct Addition {
     VoxelTable* table;
-    VoxelBrick::Group group;
+    const VoxelBrick::Group *first, *last;
     /// Set by add(): the brick, nullptr where it is new.
     VoxelBrick* brick;
   };

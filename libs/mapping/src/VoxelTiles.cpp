@@ -39,29 +39,38 @@ VoxelTiles::Tile& VoxelTiles::tileOf(VoxelKey key) {
   return tile;
 }
 
-VoxelTable& VoxelTiles::Adding::tableOf(VoxelKey key) {
-  if (!table_ || key >> tiles_.shift_ != tile_) {
-    tile_ = key >> tiles_.shift_;
-    table_ = tiles_.tileOf(key).table.get();
-  }
-  return *table_;
+void VoxelTiles::groupByBrick(const ContributionSpan* first, const ContributionSpan* last) {
+  groups_.clear();
+  for (const ContributionSpan* span = first; span != last; ++span)
+    for (const VoxelContribution* next = span->begin; next != span->end;) {
+      VoxelBrick::Group& group = groups_.emplace_back(VoxelBrick::Group{next, next});
+      const VoxelKey brick = next->key >> kBrickShift;
+      while (next != span->end && next->key >> kBrickShift == brick) ++next;
+      group.end = next;
+    }
+  std::sort(groups_.begin(), groups_.end(), [](const auto& a, const auto& b) {
+    return a.begin->key >> kBrickShift < b.begin->key >> kBrickShift;
+  });
 }
 
-void VoxelTiles::Adding::add(const ContributionSpan& span) {
-  for (const VoxelContribution* next = span.begin; next != span.end;) {
-    const VoxelKey brickKey = next->key >> kBrickShift;
-    VoxelTable::Addition& addition = batch_[count_++];
-    addition.table = &tableOf(next->key);
-    addition.group.begin = next;
-    while (next != span.end && next->key >> kBrickShift == brickKey) ++next;
-    addition.group.end = next;
-    if (count_ == kBatch) finish();
+void VoxelTiles::add(const ContributionSpan* first, const ContributionSpan* last) {
+  groupByBrick(first, last);
+  std::array<VoxelTable::Addition, kBatch> batch;
+  std::size_t count = 0;
+  std::uint64_t tile = 0;
+  VoxelTable* table = nullptr;
+  const VoxelBrick::Group* const end = groups_.data() + groups_.size();
+  for (const VoxelBrick::Group* group = groups_.data(); group != end;) {
+    const VoxelKey key = group->begin->key;
+    if (!table || key >> shift_ != tile) table = tileOf(key).table.get();
+    tile = key >> shift_;
+    const VoxelBrick::Group* const firstOfBrick = group;
+    while (group != end && group->begin->key >> kBrickShift == key >> kBrickShift) ++group;
+    batch[count++] = {table, firstOfBrick, group, nullptr};
+    if (count < kBatch && group != end) continue;
+    size_ += VoxelTable::add(batch.data(), batch.data() + count);
+    count = 0;
   }
-}
-
-void VoxelTiles::Adding::finish() {
-  tiles_.size_ += VoxelTable::add(batch_.data(), batch_.data() + count_);
-  count_ = 0;
 }
 
 void VoxelTiles::subtract(const VoxelSum& sum) {

@@ -18,25 +18,8 @@ class VoxelTiles {
   /// `store`: outlives this object; nullptr = everything stays in memory.
   VoxelTiles(double tileVoxels, TileStore* store);
 
-  /// Adds what it is given, at the latest with finish(): bricks of several spans together.
-  class Adding {
-   public:
-    explicit Adding(VoxelTiles& tiles) : tiles_(tiles) {}
-    void add(const ContributionSpan& span);
-    void finish();
-
-   private:
-    /// Bricks that are looked up together.
-    static constexpr std::size_t kBatch = 32;
-    VoxelTable& tableOf(VoxelKey key);
-
-    VoxelTiles& tiles_;
-    std::array<VoxelTable::Addition, kBatch> batch_;
-    std::size_t count_ = 0;
-    std::uint64_t tile_ = 0;
-    /// Of `tile_`; nullptr before the first one.
-    VoxelTable* table_ = nullptr;
-  };
+  /// Adds contributions of several spans together: brick after brick.
+  void add(const ContributionSpan* first, const ContributionSpan* last);
   /// Takes one sum back; std::logic_error where it was never added.
   void subtract(const VoxelSum& sum);
   /// Puts tiles into the store that are farther than `radius` from `place` (both in voxels, counted
@@ -68,7 +51,11 @@ class VoxelTiles {
     /// Call of leaveBehind() before which it was needed last.
     std::uint64_t needed = 0;
   };
+  /// Bricks that are looked up together, so that the memory answers many questions at a time.
+  static constexpr std::size_t kBatch = 32;
   Tile& tileOf(VoxelKey key);
+  /// Fills groups_: the contributions that go to one brick each, by ascending brick.
+  void groupByBrick(const ContributionSpan* first, const ContributionSpan* last);
   std::unique_ptr<VoxelTable> loaded(std::uint64_t tile) const;
   bool isFar(std::uint64_t tile, const std::array<double, 3>& place, double radius) const;
 
@@ -80,6 +67,7 @@ class VoxelTiles {
   std::size_t size_ = 0;
   std::uint64_t calls_ = 0;
   std::vector<std::uint8_t> bytes_;
+  std::vector<VoxelBrick::Group> groups_;
 };
 
 }  // namespace toss

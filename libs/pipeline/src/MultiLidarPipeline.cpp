@@ -27,15 +27,28 @@ void MultiLidarPipeline::add(const std::string& label, PipelineOptions options,
   }
 }
 
-const ScanLabels& MultiLidarPipeline::process(const PosedScan& scan) {
+MultiLidarPipeline::Lidar& MultiLidarPipeline::lidarOf(const PosedScan& scan) {
   const auto found = lidars_.size() == 1 ? lidars_.begin() : lidars_.find(scan.sensorLabel);
   if (found == lidars_.end())
-    throw std::logic_error("MultiLidarPipeline::process: no LiDAR has the label of the scan");
-  last_ = &found->second;
+    throw std::logic_error("MultiLidarPipeline: no LiDAR has the label of the scan");
+  return found->second;
+}
+
+void MultiLidarPipeline::segment(const PosedScan& scan, FirstStages& result) {
+  lidarOf(scan).pipeline->segment(scan, result);
+}
+
+const ScanLabels& MultiLidarPipeline::process(const PosedScan& scan) {
+  segment(scan, first_);
+  return process(scan, first_);
+}
+
+const ScanLabels& MultiLidarPipeline::process(const PosedScan& scan, FirstStages& first) {
+  last_ = &lidarOf(scan);
   order_.push_back(last_);
   last_->lastTime = scan.time;
   ++last_->open;
-  const ScanLabels& live = last_->pipeline->process(scan);
+  const ScanLabels& live = last_->pipeline->process(scan, first);
   gather(*last_);
   if (lidars_.size() > 1) settleSilent(scan.time);
   return live;

@@ -28,9 +28,18 @@ Pipeline::Pipeline(const PipelineOptions& options, const SensorModel& sensor, co
 Pipeline::~Pipeline() = default;
 
 const ScanLabels& Pipeline::process(const PosedScan& scan) {
+  segment(scan, implementation_->first);
+  return process(scan, implementation_->first);
+}
+
+void Pipeline::segment(const PosedScan& scan, FirstStages& result) {
+  implementation_->segmenter.segment(scan, result.segmented);
+  result.times = implementation_->segmenter.times();
+}
+
+const ScanLabels& Pipeline::process(const PosedScan& scan, FirstStages& first) {
   Implementation& stages = *implementation_;
-  stages.clock.restart();
-  stages.segment(scan);
+  stages.take(first);
   stages.track(scan);
   stages.askViews(scan);
   stages.vote(scan);

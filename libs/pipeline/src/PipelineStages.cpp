@@ -34,12 +34,12 @@ Pipeline::Implementation::~Implementation() {
   all.erase(std::remove(all.begin(), all.end(), this), all.end());
 }
 
-void Pipeline::Implementation::segment(const PosedScan& scan) {
-  segmenter.segment(scan, segmented);
-  clock.book("projection", segmenter.times().projection);
-  clock.book("ground", segmenter.times().ground);
-  clock.book("objects", segmenter.times().objects);
-  clock.skip();
+void Pipeline::Implementation::take(FirstStages& taken) {
+  std::swap(segmented, taken.segmented);
+  clock.restart();
+  clock.book("projection", taken.times.projection);
+  clock.book("ground", taken.times.ground);
+  clock.book("objects", taken.times.objects);
 }
 
 void Pipeline::Implementation::track(const PosedScan& scan) {
@@ -71,10 +71,10 @@ void Pipeline::Implementation::askViews(const PosedScan& scan) {
 void Pipeline::Implementation::vote(const PosedScan& scan) {
   ScanRecord& record = records.back();
   setFinalClasses(record, false);
-  const BoxId first = voting.addScan(votingBoxes(detections, tracker, scanNumber++, scan.time));
+  const BoxId firstBox = voting.addScan(votingBoxes(detections, tracker, scanNumber++, scan.time));
   for (std::size_t d = 0; d < detections.size(); ++d) {
     Owner& owner = record.owners[static_cast<std::size_t>(detections[d].instance)];
-    owner.box = first + d;
+    owner.box = firstBox + d;
     owner.votes = true;
   }
   clock.lap("voting");

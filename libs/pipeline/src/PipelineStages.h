@@ -26,8 +26,8 @@ struct Pipeline::Implementation {
   Implementation(const Implementation&) = delete;
   Implementation& operator=(const Implementation&) = delete;
 
-  /// Stages 1 to 3: every return gets a class, and an instance where it has one.
-  void segment(const PosedScan& scan);
+  /// Takes what stages 1 to 3 have found, and books their times.
+  void take(FirstStages& first);
   /// Stages 4 to 6: boxes, traces, and how the traces moved.
   void track(const PosedScan& scan);
   /// Views of other scans testify, as far as they have been taken (spec section 12).
@@ -61,7 +61,9 @@ struct Pipeline::Implementation {
   RecordBuilder builder;
   std::shared_ptr<SharedMap> shared;
 
+  /// Of the present scan, and of the one before for its buffers.
   SegmentedScan segmented;
+  FirstStages first;
   std::vector<Detection> detections;
   std::vector<FreeSpaceSum> pastEvidence;
   std::int64_t scanNumber = 0;

@@ -25,8 +25,6 @@ class StageClock {
   }
   /// Books `milliseconds` that were measured elsewhere.
   void book(const char* stage, double milliseconds) { times_.emplace_back(stage, milliseconds); }
-  /// Passes over the time since the last call.
-  void skip() { last_ = Clock::now(); }
   const Times& times() const { return times_; }
 
  private:

@@ -31,6 +31,9 @@ class MultiLidarPipeline {
   /// may come in any order. Returns its live labels, valid until the next call. Throws
   /// std::logic_error for a label that was not added, unless there is one LiDAR only.
   const ScanLabels& process(const PosedScan& scan);
+  /// The same in two steps: see Pipeline.
+  void segment(const PosedScan& scan, FirstStages& result);
+  const ScanLabels& process(const PosedScan& scan, FirstStages& first);
   /// Of the scan that process() took last: see Pipeline.
   const SegmentedScan& segmentedScan() const { return last_->pipeline->segmentedScan(); }
   const std::vector<std::pair<std::string, double>>& stageTimes() const {
@@ -58,6 +61,8 @@ class MultiLidarPipeline {
     double lastTime = 0.0;
     std::uint64_t open = 0;
   };
+  /// Throws std::logic_error for a label that was not added, unless there is one LiDAR only.
+  Lidar& lidarOf(const PosedScan& scan);
   void gather(Lidar& lidar);
   void settleSilent(double now);
   const Pipeline* any() const;
@@ -69,6 +74,7 @@ class MultiLidarPipeline {
   /// The LiDAR of each scan whose final labels have not been taken, in order of their coming.
   std::deque<Lidar*> order_;
   Lidar* last_ = nullptr;
+  FirstStages first_;
 };
 
 }  // namespace toss

@@ -16,6 +16,12 @@
 
 namespace toss {
 
+/// What stages 1 to 3 have made of a scan, and how long they took.
+struct FirstStages {
+  SegmentedScan segmented;
+  Segmenter::StageTimes times;
+};
+
 /// TOSS itself: posed scans in, labels and a static map out. Each scan gets a live answer at once,
 /// and its final one when nothing that comes later can change it within the horizon.
 class Pipeline {
@@ -33,6 +39,12 @@ class Pipeline {
   /// Takes the next scan, later than the one before. Returns its live labels: decided with no
   /// look-ahead; valid until the next call.
   const ScanLabels& process(const PosedScan& scan);
+  /// The same in two steps. segment() does what needs no other scan and may run in another thread
+  /// than everything else, one call at a time, while earlier scans are processed; `result`'s
+  /// buffers are reused. process() takes the segmentation out of `first` and leaves the buffers of
+  /// the scan before in its place.
+  void segment(const PosedScan& scan, FirstStages& result);
+  const ScanLabels& process(const PosedScan& scan, FirstStages& first);
   /// Segmentation of the scan that process() took last, for viewers.
   const SegmentedScan& segmentedScan() const;
 
