@@ -10,15 +10,15 @@ namespace {
 
 /// Returns of one node, grown piece by piece.
 struct NodeReturns {
-  std::vector<float> x, y, z;
+  std::vector<NodePoint> returns;
   std::mt19937 random{11};
 
   /// `count` returns on z = height + slope x over 4 m x 4 m, with a thickness of `spread`.
   NodeReturns& plane(int count, float height, float slope = 0.0f, float spread = 0.01f) {
     std::uniform_real_distribution<float> place(10.0f, 14.0f), off(-spread, spread);
     for (int i = 0; i < count; ++i) {
-      x.push_back(place(random)), y.push_back(place(random));
-      z.push_back(height + slope * (x.back() - 12.0f) + off(random));
+      const float x = place(random), y = place(random);
+      returns.push_back({x, y, height + slope * (x - 12.0f) + off(random), i});
     }
     return *this;
   }
@@ -26,11 +26,12 @@ struct NodeReturns {
   NodeReturns& wall(int count, float top) {
     std::uniform_real_distribution<float> place(10.0f, 14.0f), height(0.0f, top);
     for (int i = 0; i < count; ++i) {
-      x.push_back(13.0f), y.push_back(place(random)), z.push_back(height(random));
+      const float y = place(random), z = height(random);
+      returns.push_back({13.0f, y, z, i});
     }
     return *this;
   }
-  NodePoints points() const { return {x.data(), y.data(), z.data(), x.size(), nullptr}; }
+  NodePoints points() const { return {returns.data(), returns.size()}; }
 };
 
 TEST(GroundNodeModel, FitsTheLowerOfTwoSurfaces) {

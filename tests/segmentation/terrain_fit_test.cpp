@@ -30,21 +30,21 @@ VertexHeights heightsOf(float (*height)(const Eigen::Vector2f&)) {
 
 /// Returns scattered over one node at the given offset from the true plane.
 struct Scatter {
-  std::vector<float> x, y, z;
+  std::vector<NodePoint> returns;
   Scatter(int node, int count, float offset) {
     std::mt19937 random(static_cast<unsigned>(node));
     std::uniform_real_distribution<float> share(0.0f, 1.0f);
     const auto v = field().verticesOf(node);
-    while (static_cast<int>(x.size()) < count) {
+    while (static_cast<int>(returns.size()) < count) {
       const float a = share(random), b = share(random);
       if (a + b > 1.0f) continue;
       const Eigen::Vector2f p = a * field().vertexPosition(v[0]) +
                                 b * field().vertexPosition(v[1]) +
                                 (1.0f - a - b) * field().vertexPosition(v[2]);
-      x.push_back(p.x()), y.push_back(p.y()), z.push_back(truth(p) + offset);
+      returns.push_back({p.x(), p.y(), truth(p) + offset, 0});
     }
   }
-  NodePoints points() const { return {x.data(), y.data(), z.data(), x.size(), nullptr}; }
+  NodePoints points() const { return {returns.data(), returns.size()}; }
 };
 
 TEST(TerrainFit, FindsThePlaneThatAllReturnsLieOn) {

@@ -31,7 +31,7 @@ float meanOfLowest(const NodePoints& points, std::size_t stride, float floor, st
   float lowest[64];
   std::size_t found = 0;
   for (std::size_t i = 0; i < points.count; i += stride) {
-    const float z = points.z[i];
+    const float z = points[i].z;
     if (z <= floor || (found == wanted && z >= lowest[found - 1])) continue;
     if (found < wanted) ++found;
     std::size_t place = found - 1;
@@ -52,7 +52,7 @@ Layer layerAbove(const NodePoints& points, float floor, const GroundOptions& opt
   layer.top = layer.bottom;
   const float limit = layer.bottom + static_cast<float>(options.seedHeight);
   for (std::size_t i = 0; i < points.count; i += stride) {
-    const float z = points.z[i];
+    const float z = points[i].z;
     if (z <= floor || z > limit) continue;
     layer.count += stride;
     layer.top = std::max(layer.top, z);
@@ -108,8 +108,8 @@ float lowestLayer(const NodePoints& points, const GroundOptions& options) {
 GroundNode fitGroundNode(const NodePoints& points, const GroundOptions& options) {
   GroundNode node;
   if (points.count < static_cast<std::size_t>(options.minPoints)) return node;
-  const Eigen::Vector3d origin(points.x[0], points.y[0], points.z[0]);
-  const auto x0 = points.x[0], y0 = points.y[0], z0 = points.z[0];
+  const Eigen::Vector3d origin(points[0].x, points[0].y, points[0].z);
+  const auto x0 = points[0].x, y0 = points[0].y, z0 = points[0].z;
   const auto below = static_cast<float>(options.groundHeight);
   const std::size_t stride = strideOf(points, options);
   const float bottom = lowestLayer(points, options);
@@ -120,7 +120,7 @@ GroundNode fitGroundNode(const NodePoints& points, const GroundOptions& options)
   for (int round = 0; round < options.iterations; ++round) {
     Moments sums;
     for (std::size_t i = 0; i < points.count; i += stride) {
-      const float x = points.x[i], y = points.y[i], z = points.z[i];
+      const float x = points[i].x, y = points[i].y, z = points[i].z;
       const bool seed = z >= floor && z < ceiling;
       const bool near = z >= floor && node.heightOf(x, y, z) < below;
       if (round == 0 ? seed : near) {

@@ -103,19 +103,21 @@ void GroundSegmentation::Implementation::labelNode(int place, Segmentation& segm
   const auto above = static_cast<float>(options.groundHeight);
   const auto below = -static_cast<float>(options.outlierDepth);
   const NodePoints points = sorted.atPlace(place);
+  std::int32_t found = 0;
   for (std::size_t i = 0; i < points.count; ++i) {
-    const float height = node.heightOf(points.x[i], points.y[i], points.z[i]);
-    const auto point = static_cast<std::size_t>(points.original[i]);
+    const float height = node.heightOf(points[i].x, points[i].y, points[i].z);
+    const auto point = static_cast<std::size_t>(points[i].original);
+    const bool isGround = (height < above) & (height >= below);
+    // Without a branch, as no one could foretell on which side of the limit a return lies.
     segmentation.heightAboveGround[point] = height;
-    if (!(height < above)) continue;
-    if (height >= below) {
-      segmentation.pointClass[point] = PointClass::Ground;
-      ++groundReturns[static_cast<std::size_t>(sorted.fineAtPlace(place))];
-    } else if (node.offset > 0.0f) {
+    segmentation.pointClass[point] = isGround ? PointClass::Ground : PointClass::Unclustered;
+    found += isGround ? 1 : 0;
+    if (height < below && node.offset > 0.0f) {
       // The sensor is `offset` above the plane, so this share of the beam runs above it.
-      buried.push_back({points.original[i], node.offset / (node.offset - height)});
+      buried.push_back({points[i].original, node.offset / (node.offset - height)});
     }
   }
+  groundReturns[static_cast<std::size_t>(sorted.fineAtPlace(place))] += found;
 }
 
 void GroundSegmentation::Implementation::labelPoints(const LevelPoints& points,

@@ -19,21 +19,17 @@ NodeSorting::NodeSorting(const TriGridField& coarse, const TriGridField& fine, i
 
 void NodeSorting::sort(const LevelPoints& points, const std::vector<PointClass>& pointClass) {
   findStretches(points, pointClass);
-  begin_.assign(placeOfFine_.size() + 1, 0);
-  for (const Stretch& stretch : stretches_) begin_[stretch.place + 1] += stretch.count();
+  begin_.assign(placeOfFine_.size() + 2, 0);
+  for (std::size_t s = 0; s + 1 < start_.size(); ++s) begin_[placeOf(s) + 1] += length(s);
   for (std::size_t place = 1; place < begin_.size(); ++place) begin_[place] += begin_[place - 1];
   cursor_.assign(begin_.begin(), begin_.end() - 1);
-  const auto count = static_cast<std::size_t>(begin_.back());
-  x_.resize(count), y_.resize(count), z_.resize(count), original_.resize(count);
-  for (const Stretch& stretch : stretches_) {
-    auto to = static_cast<std::size_t>(cursor_[stretch.place]);
-    cursor_[stretch.place] += stretch.count();
-    for (std::int32_t i = stretch.begin; i < stretch.end; ++i, ++to) {
-      const auto from = static_cast<std::size_t>(i);
-      x_[to] = points.x[from], y_[to] = points.y[from], z_[to] = points.z[from];
-      original_[to] = i;
-    }
+  shift_.resize(start_.size());
+  for (std::size_t s = 0; s + 1 < start_.size(); ++s) {
+    std::int32_t& cursor = cursor_[placeOf(s)];
+    shift_[s] = cursor - start_[s];
+    cursor += length(s);
   }
+  scatter(points);
 }
 
 void NodeSorting::findStretches(const LevelPoints& points,
@@ -45,14 +41,27 @@ void NodeSorting::findStretches(const LevelPoints& points,
   for (std::size_t i = 0; i < n; ++i) {
     node_[i] = pointClass[i] == PointClass::Unclustered ? node_[i] : -1;
   }
-  stretches_.clear();
-  for (std::size_t i = 0; i < n;) {
-    const std::int32_t node = node_[i];
-    const std::size_t begin = i;
-    while (i < n && node_[i] == node) ++i;
-    if (node < 0) continue;
-    stretches_.push_back({static_cast<std::size_t>(placeOfFine_[static_cast<std::size_t>(node)]),
-                          static_cast<std::int32_t>(begin), static_cast<std::int32_t>(i)});
+  start_.resize(n + 1);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    start_[count] = static_cast<std::int32_t>(i);
+    count += startsStretch(i) ? 1 : 0;
+  }
+  start_[count] = static_cast<std::int32_t>(n);
+  start_.resize(count + 1);
+}
+
+/// One return after the other, without a branch for the ends of stretches, as these come at random.
+void NodeSorting::scatter(const LevelPoints& points) {
+  const std::size_t n = points.x.size();
+  points_.resize(n);
+  NodePoint* const sorted = points_.data();
+  std::size_t stretch = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    stretch += i > 0 && startsStretch(i) ? 1 : 0;
+    const auto point = static_cast<std::int32_t>(i);
+    const auto to = static_cast<std::size_t>(point + shift_[stretch]);
+    sorted[to] = {points.x[i], points.y[i], points.z[i], point};
   }
 }
 

@@ -30,20 +30,23 @@ class NodeSorting {
   int places() const { return static_cast<int>(fineAtPlace_.size()); }
 
  private:
-  /// Consecutive returns of the scan that fall into one place: beams sweep across the nodes.
-  struct Stretch {
-    std::size_t place;
-    std::int32_t begin, end;
-    std::int32_t count() const { return end - begin; }
-  };
+  /// Finds the stretches: consecutive returns of the scan that fall into one node, as beams sweep
+  /// across the nodes, or into none.
   void findStretches(const LevelPoints& points, const std::vector<PointClass>& pointClass);
+  void scatter(const LevelPoints& points);
+  bool startsStretch(std::size_t i) const { return (i == 0) | (node_[i] != node_[i - (i > 0)]); }
+  std::int32_t length(std::size_t stretch) const { return start_[stretch + 1] - start_[stretch]; }
+  /// Returns of no node are kept at a place after all others.
+  std::size_t placeOf(std::size_t stretch) const {
+    const std::int32_t node = node_[static_cast<std::size_t>(start_[stretch])];
+    return node < 0 ? placeOfFine_.size()
+                    : static_cast<std::size_t>(placeOfFine_[static_cast<std::size_t>(node)]);
+  }
   std::size_t begin(int place) const {
     return static_cast<std::size_t>(begin_[static_cast<std::size_t>(place)]);
   }
   NodePoints between(int first, int last) const {
-    const std::size_t from = begin(first);
-    return {x_.data() + from, y_.data() + from, z_.data() + from, begin(last) - from,
-            original_.data() + from};
+    return {points_.data() + begin(first), begin(last) - begin(first)};
   }
 
   const TriGridField& fine_;
@@ -51,9 +54,11 @@ class NodeSorting {
   std::vector<std::int32_t> placeOfFine_, fineAtPlace_;
   /// Fine node of each return, -1 for none, shape [n].
   std::vector<std::int32_t> node_;
-  std::vector<Stretch> stretches_;
-  std::vector<std::int32_t> begin_, cursor_, original_;
-  std::vector<float> x_, y_, z_;
+  /// First return of each stretch, and the number of returns; and what is added to the index of a
+  /// return of each to get where it is kept.
+  std::vector<std::int32_t> start_, shift_;
+  std::vector<std::int32_t> begin_, cursor_;
+  std::vector<NodePoint> points_;
 };
 
 }  // namespace toss

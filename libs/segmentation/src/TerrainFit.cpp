@@ -108,17 +108,17 @@ void TerrainFit::add(int node, const NodePoints& points, const VertexHeights& he
   const std::size_t stride = (points.count + kPickedReturns - 1) / kPickedReturns;
   float total = 0.0f;
   for (std::size_t i = 0; i < points.count; i += stride) {
-    const auto [l0, l1, l2] = barycentric(node % 4, (points.x[i] - centre.x()) * halfSides,
-                                          (points.y[i] - centre.y()) * halfSides);
-    const float height = points.z[i] - (l0 * h0 + l1 * h1 + l2 * h2);
+    const auto [l0, l1, l2] = barycentric(node % 4, (points[i].x - centre.x()) * halfSides,
+                                          (points[i].y - centre.y()) * halfSides);
+    const float height = points[i].z - (l0 * h0 + l1 * h1 + l2 * h2);
     const float off = height * (height > 0.0f ? above : below);
     const float fade = 1.0f - off * off;
     if (!(fade > 0.0f)) continue;
     if (upright != nullptr && height > kClearlyAbove &&
-        upright->anyAbove(static_cast<std::size_t>(points.original[i]))) {
+        upright->anyAbove(static_cast<std::size_t>(points[i].original))) {
       continue;
     }
-    const float w = fade * fade, wz = w * points.z[i];
+    const float w = fade * fade, wz = w * points[i].z;
     sums.products[0] += w * l0 * l0, sums.products[1] += w * l0 * l1;
     sums.products[2] += w * l0 * l2, sums.products[3] += w * l1 * l1;
     sums.products[4] += w * l1 * l2, sums.products[5] += w * l2 * l2;

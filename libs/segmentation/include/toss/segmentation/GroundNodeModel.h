@@ -30,14 +30,19 @@ struct GroundNode {
   }
 };
 
-/// Returns of one node, struct of arrays [m, level frame], shape [count], with their indices in the
-/// scan (null where nobody asks for them).
+/// A return of a node [m, level frame] with its index in the scan.
+struct NodePoint {
+  float x, y, z;
+  std::int32_t original;
+};
+
+/// Returns of one node. Sorting a scan by nodes scatters the returns over memory, hence one record
+/// each rather than a struct of arrays.
 struct NodePoints {
-  const float* x = nullptr;
-  const float* y = nullptr;
-  const float* z = nullptr;
+  const NodePoint* begin = nullptr;
   std::size_t count = 0;
-  const std::int32_t* original = nullptr;
+
+  const NodePoint& operator[](std::size_t i) const { return begin[i]; }
 };
 
 /// Fits the ground plane of a node (region-wise ground plane fitting, spec section 2.2): a few
