@@ -221,6 +221,22 @@ TEST(OnlineVoting, RisingClassReachesAllBoxesOfTheTrace) {
   EXPECT_EQ(voting.takeChanges(), ids);
 }
 
+TEST(OnlineVoting, ChangesThatWereLongNotAskedForAreToldOnce) {
+  DsVoting voting(VotingOptions{});
+  VotingScene scene;
+  scene.drive(1, 0, 30, 0, {0, 0, 10, 3});
+  std::vector<BoxId> ids;
+  for (const auto& [number, scan] : scene.scans()) ids.push_back(voting.addScan(scan.boxes));
+  ASSERT_GT(ids.size(), 20u);
+  // More changes than are kept as they come.
+  for (int k = 0; k <= 400; ++k)
+    voting.setTrackClass(1, k % 2 == 0 ? MotionClass::Strong : MotionClass::Static);
+  const std::vector<BoxId> left(ids.begin() + 10, ids.end());
+  for (std::size_t i = 0; i < 10; ++i) voting.release(ids[i]);
+  EXPECT_EQ(voting.takeChanges(), left);
+  EXPECT_TRUE(voting.takeChanges().empty());
+}
+
 TEST(OnlineVoting, BoxesSpreadOverManyCellsOfOneRow) {
   DsVoting voting(VotingOptions{});
   VotingScene scene;

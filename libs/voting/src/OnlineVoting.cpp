@@ -137,7 +137,7 @@ void OnlineVoting::judge(const Voter& voted) {
 }
 
 void OnlineVoting::setLabel(BoxRecord& record, const Voter& voted, bool dynamic) {
-  if (record.dynamic != dynamic) changed_.push_back(voted.id);
+  if (record.dynamic != dynamic) noteChange(voted.id);
   record.dynamic = dynamic;
   const bool final = rules_.off() || rules_.vetoes(traces_.motion(voted.trace));
   if (!dynamic || final || record.pending) return;
@@ -172,13 +172,23 @@ DsVoting::Votes OnlineVoting::votes(BoxId box) {
   return {counter_.countDynamic(voted), counter_.countStatic(voted)};
 }
 
-std::vector<BoxId> OnlineVoting::takeChanges() {
+void OnlineVoting::noteChange(BoxId box) {
+  changed_.push_back(box);
+  if (changed_.size() < manyChanges_) return;
+  tidyChanges();
+  manyChanges_ = std::max(kFewChanges, 2 * changed_.size());
+}
+
+void OnlineVoting::tidyChanges() {
   std::sort(changed_.begin(), changed_.end());
   changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
-  const auto isNews = [this](BoxId box) {
-    return records_.has(box) && !records_[box].released &&
-           records_[box].dynamic != records_[box].reported;
-  };
+  const auto isOver = [this](BoxId box) { return !records_.has(box) || records_[box].released; };
+  changed_.erase(std::remove_if(changed_.begin(), changed_.end(), isOver), changed_.end());
+}
+
+std::vector<BoxId> OnlineVoting::takeChanges() {
+  tidyChanges();
+  const auto isNews = [this](BoxId box) { return records_[box].dynamic != records_[box].reported; };
   std::vector<BoxId> result;
   std::copy_if(changed_.begin(), changed_.end(), std::back_inserter(result), isNews);
   for (const BoxId box : result) records_[box].reported = records_[box].dynamic;

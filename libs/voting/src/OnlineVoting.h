@@ -24,6 +24,8 @@ class OnlineVoting {
   void forgetBefore(double time);
 
  private:
+  static constexpr std::size_t kFewChanges = 1024;
+
   void startScan(const std::vector<VotingBox>& boxes);
   /// Whether boxes of the trace can vote for dynamic as its class is now.
   bool canVoteDynamic(TraceList::TraceIndex trace) const {
@@ -39,6 +41,9 @@ class OnlineVoting {
   /// Counts the votes and sets the label.
   void judge(const Voter& voted);
   void setLabel(BoxRecord& record, const Voter& voted, bool dynamic);
+  void noteChange(BoxId box);
+  /// Keeps each box in changed_ once, and none whose changes nobody can ask for any more.
+  void tidyChanges();
 
   VoteRules rules_;
   VoterGrid grid_;
@@ -46,6 +51,8 @@ class OnlineVoting {
   BoxRecords records_;
   VoteCounter counter_;
   std::vector<BoxId> dirty_, changed_;
+  /// Number of changes that are tidied next: takeChanges() may never be called.
+  std::size_t manyChanges_ = kFewChanges;
   std::int32_t scan_ = -1;
   std::int64_t scanNumber_ = 0;
   double time_ = 0.0;
