@@ -64,13 +64,16 @@ void GroundSegmentation::Implementation::fitNodes() {
 /// Heights of the fine vertices on the coarse planes: the start of the fit.
 void GroundSegmentation::Implementation::copyToFine() {
   fineHeights.assign(static_cast<std::size_t>(fineField.vertices()), kUnknown);
-  for (int place = 0; place < sorted.places(); ++place) {
-    const GroundNode& node = nodes[static_cast<std::size_t>(place / sorted.finePerCoarse())];
+  for (int index = 0; index < field.nodes(); ++index) {
+    const GroundNode& node = nodes[static_cast<std::size_t>(index)];
     if (!node.isGround()) continue;
-    for (const int vertex : fineField.verticesOf(sorted.fineAtPlace(place))) {
-      const Eigen::Vector2f q = fineField.vertexPosition(vertex);
-      fineHeights[static_cast<std::size_t>(vertex)] =
-          -(node.normal.head<2>().dot(q) + node.offset) / node.normal.z();
+    const int first = index * sorted.finePerCoarse();
+    for (int place = first; place < first + sorted.finePerCoarse(); ++place) {
+      for (const int vertex : fineField.verticesOf(sorted.fineAtPlace(place))) {
+        const Eigen::Vector2f q = fineField.vertexPosition(vertex);
+        fineHeights[static_cast<std::size_t>(vertex)] =
+            -(node.normal.head<2>().dot(q) + node.offset) / node.normal.z();
+      }
     }
   }
 }
@@ -83,17 +86,16 @@ void GroundSegmentation::Implementation::fitTerrain(const LevelPoints& points,
     const float gate = round == 0 ? kFirstGate : kGate;
     terrain.extend(fineHeights);
     terrain.clear();
-    for (int place = 0; place < sorted.places(); ++place) {
+    for (const int place : sorted.occupied()) {
       terrain.add(sorted.fineAtPlace(place), sorted.atPlace(place), fineHeights, gate, &upright);
     }
     terrain.solve(fineHeights);
   }
-  for (int place = 0; place < sorted.places(); ++place) {
+  for (GroundNode& node : fineNodes) node.type = NodeType::Unknown;
+  for (const int place : sorted.occupied()) {
     const int index = sorted.fineAtPlace(place);
-    GroundNode& node = fineNodes[static_cast<std::size_t>(index)];
-    node.type = NodeType::Unknown;
-    if (sorted.atPlace(place).count == 0) continue;
-    replacePlane(fineField, options, fineHeights, index, node);
+    replacePlane(fineField, options, fineHeights, index,
+                 fineNodes[static_cast<std::size_t>(index)]);
   }
 }
 
@@ -124,7 +126,7 @@ void GroundSegmentation::Implementation::labelPoints(const LevelPoints& points,
                                                      Segmentation& segmentation) {
   groundReturns.assign(fineNodes.size(), 0);
   buried.clear();
-  for (int place = 0; place < sorted.places(); ++place) {
+  for (const int place : sorted.occupied()) {
     if (fineNodes[static_cast<std::size_t>(sorted.fineAtPlace(place))].isGround()) {
       labelNode(place, segmentation);
     }

@@ -22,6 +22,10 @@ void NodeSorting::sort(const LevelPoints& points, const std::vector<PointClass>&
   begin_.assign(placeOfFine_.size() + 2, 0);
   for (std::size_t s = 0; s + 1 < start_.size(); ++s) begin_[placeOf(s) + 1] += length(s);
   for (std::size_t place = 1; place < begin_.size(); ++place) begin_[place] += begin_[place - 1];
+  occupied_.clear();
+  for (int place = 0; place < places(); ++place) {
+    if (begin(place + 1) > begin(place)) occupied_.push_back(place);
+  }
   cursor_.assign(begin_.begin(), begin_.end() - 1);
   shift_.resize(start_.size());
   for (std::size_t s = 0; s + 1 < start_.size(); ++s) {

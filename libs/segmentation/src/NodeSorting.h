@@ -27,6 +27,8 @@ class NodeSorting {
   NodePoints atPlace(int place) const { return between(place, place + 1); }
   int fineAtPlace(int place) const { return fineAtPlace_[static_cast<std::size_t>(place)]; }
   int finePerCoarse() const { return share_; }
+  /// Places that hold returns, ascending.
+  const std::vector<int>& occupied() const { return occupied_; }
   int places() const { return static_cast<int>(fineAtPlace_.size()); }
 
  private:
@@ -58,6 +60,7 @@ class NodeSorting {
   /// return of each to get where it is kept.
   std::vector<std::int32_t> start_, shift_;
   std::vector<std::int32_t> begin_, cursor_;
+  std::vector<int> occupied_;
   std::vector<NodePoint> points_;
 };
 

@@ -74,19 +74,19 @@ void TerrainFit::extend(VertexHeights& heights) {
   count_.assign(heights.size(), 0.0f);
   for (const Stencil& stencil : stencils_) {
     std::int32_t unknown = kNone;
-    float rest = 0.0f, factor = 0.0f;
+    float rest = 0.0f, unknownFactor = 0.0f;
     int unknowns = 0;
+    // Without branches: what is known changes from stencil to stencil.
     for (std::size_t i = 0; i < 4; ++i) {
-      if (stencil.factors[i] == 0.0f) continue;
-      const float height = heights[at(stencil.vertices[i])];
-      if (std::isnan(height)) {
-        unknown = stencil.vertices[i], factor = stencil.factors[i], ++unknowns;
-      } else {
-        rest += stencil.factors[i] * height;
-      }
+      const float factor = stencil.factors[i], height = heights[at(stencil.vertices[i])];
+      const bool missing = std::isnan(height) & (factor != 0.0f);
+      unknown = missing ? stencil.vertices[i] : unknown;
+      unknownFactor = missing ? factor : unknownFactor;
+      unknowns += missing ? 1 : 0;
+      rest += std::isnan(height) ? 0.0f : factor * height;
     }
     if (unknowns != 1) continue;
-    sum_[at(unknown)] -= rest / factor;
+    sum_[at(unknown)] -= rest / unknownFactor;
     count_[at(unknown)] += 1.0f;
   }
   for (std::size_t v = 0; v < heights.size(); ++v) {
@@ -150,15 +150,16 @@ void TerrainFit::activate(const VertexHeights& heights) {
   for (NodeSums& node : sums_) {
     for (std::int32_t& vertex : node.vertices) vertex = unknownOf(vertex);
   }
-  const auto selected = static_cast<std::int32_t>(vertexOf_.size());
+  const auto selected = static_cast<std::uint32_t>(vertexOf_.size());
   for (const Stencil& stencil : stencils_) {
-    bool known = true, near = false;
+    bool near = false;
+    float sum = 0.0f;
     for (const std::int32_t vertex : stencil.vertices) {
-      const std::int32_t unknown = unknownOf_[at(vertex)];
-      near |= unknown != kNone && unknown < selected;
-      known &= !std::isnan(heights[at(vertex)]);
+      // As an unsigned number, none is beyond all.
+      near |= static_cast<std::uint32_t>(unknownOf_[at(vertex)]) < selected;
+      sum += heights[at(vertex)];
     }
-    if (!near || !known) continue;
+    if (!near || std::isnan(sum)) continue;
     active_.push_back(stencil);
     for (std::int32_t& vertex : active_.back().vertices) vertex = unknownOf(vertex);
   }
