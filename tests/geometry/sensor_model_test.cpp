@@ -18,7 +18,7 @@ double degrees(double radians) {
 }
 
 TEST(SensorModel, EveryKnownSensorIsOrderedFromTheTopAndSane) {
-  ASSERT_EQ(knownSensors().size(), 5u);
+  ASSERT_EQ(knownSensors().size(), 10u);
   for (const SensorModel& sensor : knownSensors()) {
     SCOPED_TRACE(sensor.name);
     EXPECT_TRUE(std::is_sorted(sensor.elevations.rbegin(), sensor.elevations.rend()));
@@ -35,6 +35,20 @@ TEST(SensorModel, RowsAndFieldOfViewMatchTheDataSheets) {
   EXPECT_NEAR(degrees(sensorByName("HDL-32E").elevations[8]), 0.0, 0.01);
   EXPECT_EQ(sensorByName("OS0-128").rows(), 128);
   EXPECT_EQ(sensorByName("OS1-64").rows(), 64);
+  // Product line, channels, half the field of view [degrees], range [m].
+  const std::vector<std::tuple<std::string, int, double, float>> ouster = {
+      {"OS0-64", 64, 45.0, 75.0f},
+      {"OS0-32", 32, 45.0, 75.0f},
+      {"OS1-128", 128, 22.5, 120.0f},
+      {"OS1-32", 32, 22.5, 120.0f},
+      {"OS2-128", 128, 11.25, 240.0f}};
+  for (const auto& [name, rows, half, range] : ouster) {
+    const SensorModel& sensor = sensorByName(name);
+    EXPECT_EQ(sensor.rows(), rows) << name;
+    EXPECT_NEAR(degrees(sensor.elevations.front()), half, 1e-4) << name;
+    EXPECT_NEAR(degrees(sensor.elevations.back()), -half, 1e-4) << name;
+    EXPECT_EQ(sensor.maxRange, range) << name;
+  }
 }
 
 TEST(SensorModel, Hdl64HasAFineAndACoarseBlock) {

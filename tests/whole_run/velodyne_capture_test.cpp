@@ -44,7 +44,9 @@ class VelodyneCapture : public ::testing::TestWithParam<Capture> {
 
 TEST_P(VelodyneCapture, NeedsPosesAndIsMappedWithThem) {
   const std::string map = "map " + quoted(log) + " --no-snapshots --out " + quoted(run);
-  EXPECT_THAT(complaintOf(map), HasSubstr("holds no poses of the robot"));
+  EXPECT_THAT(complaintOf(map),
+              ::testing::AllOf(HasSubstr("holds no poses of the robot"), HasSubstr("--poses FILE"),
+                               HasSubstr("--odometry")));
   addPoses();
   runWell(map);
   const std::string ply = readBytes(run / "static_map.ply");

@@ -21,7 +21,8 @@ struct SensorModel {
 };
 
 /// The models that TOSS knows: HDL-64E (its two blocks: 1/3 degree above, 1/2 degree below),
-/// HDL-32E, VLP-16, OS0-128, OS1-64 (spec section 1.3).
+/// HDL-32E, VLP-16, OS0-128, OS1-64 (spec section 1.3); OS0-64, OS0-32, OS1-128, OS1-32, OS2-128
+/// (data sheets).
 const std::vector<SensorModel>& knownSensors();
 
 /// The model of that name (case-sensitive). Throws UserError naming the nearest known name.
