@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <toss/rawlog/AtomicFile.h>
+#include <toss/rawlog/LidarSelection.h>
 
 #include <algorithm>
 #include <iostream>
@@ -44,6 +45,20 @@ struct CheckResult {
   }
 };
 
+/// Of several LiDARs the first one is looked at.
+void reportLidars(const LidarSelection& selection, Findings& findings) {
+  for (const std::string& note : selection.notes)
+    findings.push_back({Severity::Doubt, "lidars", note, ""});
+  if (selection.labels.size() < 2) return;
+  std::string labels;
+  for (const std::string& label : selection.labels)
+    labels += (labels.empty() ? "'" : ", '") + label + "'";
+  findings.push_back(
+      {Severity::Note, "lidars",
+       "several LiDARs will be mapped (" + labels + "); what is found is of the first",
+       "check the others with --set input.sensor_label=NAME"});
+}
+
 /// Looks at the scans, with their poses or without. An error that ends the reading is a finding.
 CheckResult look(const CheckRequest& request, const RunConfiguration& configuration, bool quiet) {
   CheckResult result;
@@ -52,11 +67,16 @@ CheckResult look(const CheckRequest& request, const RunConfiguration& configurat
   Progress progress("checking", "scans", quiet);
   InputReport report;
   try {
-    ScanRange source(request.input, configuration.input, request.from, request.to);
+    const LidarSelection lidars = selectLidars(request.input, configuration.input);
+    reportLidars(lidars, result.findings);
+    InputOptions input = configuration.input;
+    input.sensorLabels = lidars.labels;
+    ScanRange source(request.input, input, request.from, request.to);
     PosedScan scan;
     const auto keepReport = [&] { report = source.report(); };
     try {
       while (source.next(scan)) {
+        if (!input.sensorLabels.empty() && scan.sensorLabel != input.sensorLabels.front()) continue;
         scans.look(scan);
         motion.look(scan);
         progress.update(scans.scans(), source.progress());

@@ -100,6 +100,14 @@ TEST_F(MultiLidars, KeepTheirPlacesInTheFilteredLog) {
                                    "LIDAR_MOVING_OS1-64-second"}));
 }
 
+TEST_F(MultiLidars, AreCheckedByTheFirst) {
+  const ProgramRun check = runProgram("check " + quoted(log()));
+  EXPECT_EQ(check.code, 0) << check.out << check.error;
+  EXPECT_THAT(check.out, ::testing::HasSubstr(": 15 scans, sensor VLP-16"));
+  EXPECT_THAT(check.out,
+              ::testing::HasSubstr("several LiDARs will be mapped ('VLP-16', 'OS1-64-second')"));
+}
+
 TEST_F(MultiLidars, NeedPosesOfTheFirstOnly) {
   const fs::path found = map("odometry", "--odometry");
   const auto summary = json(found / "summary.json");

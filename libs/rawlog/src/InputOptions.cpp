@@ -16,10 +16,11 @@ void InputOptions::visit(OptionVisitor& visitor) {
                   own},
                  poseLabel);
   visitor.choice({"pose_source", "",
-                  "Where poses come from: CObservationRobotPose, or odometry "
-                  "(CObservationOdometry or action increments), which drifts.",
+                  "Where poses come from: CObservationRobotPose; odometry "
+                  "(CObservationOdometry or action increments), which drifts; or gps "
+                  "(CObservationGPS), good to metres, with the heading of the path and level.",
                   own},
-                 poseSource, {"observations", "odometry"});
+                 poseSource, {"observations", "odometry", "gps"});
   visitor.string({"pose_file", "",
                   "File with poses in TUM or KITTI format, which replace those of the input; empty "
                   "takes the input's own.",
@@ -51,9 +52,26 @@ void InputOptions::visit(OptionVisitor& visitor) {
                scanPeriod, 1e-4, 3600.0);
   visitor.choice({"deskew", "",
                   "Compensation of the sensor's motion during a sweep: auto where returns have "
-                  "times, poses lie around the sweep and the log does not say that it is done.",
+                  "times, poses lie around the sweep and the log does not say that it is done; "
+                  "sweep does so for returns without times too, by their azimuth: the scans must "
+                  "not be compensated yet, and the sweep_ options below must be true.",
                   own},
-                 deskew, {"auto", "off"});
+                 deskew, {"auto", "off", "sweep"});
+  visitor.real({"sweep_rate", "Hz", "deskew=sweep: turns of the sensor per second.", own},
+               sweepRate, 0.1, 200.0);
+  visitor.choice({"sweep_sense", "", "deskew=sweep: sense of rotation, seen from above.",
+                  "Velodyne, Ouster: clockwise"},
+                 sweepSense, {"clockwise", "counterclockwise"});
+  visitor.real({"sweep_start", "deg",
+                "deskew=sweep: azimuth at which a sweep begins, counterclockwise from the "
+                "sensor's x axis.",
+                own},
+               sweepStart, -360.0, 360.0);
+  visitor.real({"sweep_stamp", "",
+                "deskew=sweep: where in the sweep a scan's time stamp lies, 0 at its begin, 1 at "
+                "its end.",
+                own},
+               sweepStamp, 0.0, 1.0);
 }
 
 }  // namespace toss

@@ -15,6 +15,9 @@ KittiFolderSource::KittiFolderSource(const std::filesystem::path& folder,
   if (!options.sensorLabel.empty() && options.sensorLabel != kLidarLabel)
     throw UserError("input.sensor_label", "a KITTI folder has one sensor, labelled LIDAR",
                     "leave the option away");
+  if (options.deskew == Deskew::Sweep)
+    throw UserError("input.deskew=sweep", "is for rawlogs: scans of KITTI folders are compensated",
+                    "leave it away, or make a rawlog of scans that are not");
   report_.warnings = folder_.warnings;
 }
 

@@ -3,6 +3,7 @@
 
 #include <mrpt/obs/CActionRobotMovement2D.h>
 #include <mrpt/obs/CActionRobotMovement3D.h>
+#include <mrpt/obs/CObservationGPS.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <toss/geometry/Error.h>
@@ -10,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+
+#include "GpsPath.h"
 
 namespace toss {
 namespace {
@@ -69,11 +72,24 @@ void RawlogPoses::add(Ticks time, const Eigen::Isometry3d& mapFromRobot) {
   buffer_.add(time, mapFromRobot);
 }
 
+void RawlogPoses::takeGps(const std::filesystem::path& rawlog) {
+  if (!fromGps() || options_.withoutPoses) return;
+  const char* remedy = "find poses with --odometry, or give them with --poses FILE";
+  const std::vector<GpsFix> fixes = readGpsFixes(rawlog);
+  if (fixes.empty())
+    throw UserError(rawlog.string(), "holds no CObservationGPS with a position (GGA, RMC)", remedy);
+  const auto poses = posesAlong(fixes);
+  if (poses.empty())
+    throw UserError(rawlog.string(),
+                    "its GPS positions cover less than 6 m of way: no heading can be told", remedy);
+  for (const auto& [time, mapFromRobot] : poses) add(time, mapFromRobot);
+}
+
 bool RawlogPoses::take(const mrpt::obs::CObservation& observation) {
   const bool odometry = options_.poseSource == PoseSource::Odometry;
   if (const auto* pose = dynamic_cast<const mrpt::obs::CObservationRobotPose*>(&observation)) {
     sawPoses_ = true;
-    if (odometry || file_) return true;
+    if (odometry || file_ || fromGps()) return true;
     if (!label_) label_ = pose->sensorLabel;
     if (pose->sensorLabel == *label_)
       add(ticksOf(observation), robotPose(*pose));
@@ -87,6 +103,7 @@ bool RawlogPoses::take(const mrpt::obs::CObservation& observation) {
       add(ticksOf(observation), fromMrpt(mrpt::poses::CPose3D(wheels->odometry)));
     return true;
   }
+  if (dynamic_cast<const mrpt::obs::CObservationGPS*>(&observation) != nullptr) sawGps_ = true;
   return false;
 }
 
@@ -131,7 +148,7 @@ bool RawlogPoses::reaches(Ticks time) const {
 }
 
 bool RawlogPoses::mayStillCome(Ticks scanTime) const {
-  return !file_ && buffer_.mayStillCome(scanTime + offset_);
+  return !file_ && !fromGps() && buffer_.mayStillCome(scanTime + offset_);
 }
 
 std::vector<Eigen::Isometry3d> RawlogPoses::path() const {
@@ -155,6 +172,11 @@ void RawlogPoses::appendWarnings(const std::string& file,
     warnings.push_back(file +
                        ": the poses are odometry, which drifts, and from wheels it knows no slopes "
                        "(height, roll and pitch are 0); prefer --odometry or poses from SLAM");
+  if (fromGps() && count_ > 0)
+    warnings.push_back(file +
+                       ": the poses are positions of a satellite receiver, good to metres at best, "
+                       "level and headed along the path: expect walls to be smeared, and what "
+                       "stands to be taken for moving; prefer --odometry or poses from SLAM");
   if (!otherLabels_.empty())
     warnings.push_back(file + ": poses labelled '" + label_.value_or("") +
                        "' are used, others were left out (" + counted(otherLabels_) +

@@ -7,6 +7,7 @@
 #include <toss/rawlog/PoseFile.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -26,6 +27,9 @@ class RawlogPoses {
   /// has no calibration for it.
   explicit RawlogPoses(const InputOptions& options);
 
+  /// With PoseSource::Gps takes the poses from the positions in the rawlog, all at once. Throws
+  /// UserError where there are none, or they tell no course.
+  void takeGps(const std::filesystem::path& rawlog);
   /// Takes the pose out of an observation, if it holds one: CObservationRobotPose, whose sensorPose
   /// is honoured (robot = pose of the tracked point, taken back by its place on the robot); with
   /// PoseSource::Odometry CObservationOdometry. False if the observation is of another kind.
@@ -53,6 +57,7 @@ class RawlogPoses {
   std::uint64_t count() const { return count_; }
   bool sawOdometry() const { return sawOdometry_; }
   bool sawPoses() const { return sawPoses_; }
+  bool sawGps() const { return sawGps_; }
   /// Time of the first and last pose [ticks]; 0 without poses.
   Ticks firstTime() const { return firstTime_; }
   Ticks lastTime() const { return lastTime_; }
@@ -61,6 +66,7 @@ class RawlogPoses {
 
  private:
   void add(Ticks time, const Eigen::Isometry3d& mapFromRobot);
+  bool fromGps() const { return options_.poseSource == PoseSource::Gps && !file_; }
   bool fileOfRobot() const { return options_.poseOf == PoseSubject::Robot; }
 
   InputOptions options_;
@@ -70,7 +76,7 @@ class RawlogPoses {
   std::optional<std::string> label_;
   std::map<std::string, std::uint64_t> otherLabels_;
   Eigen::Isometry3d odometry_ = Eigen::Isometry3d::Identity();
-  bool sawActions_ = false, sawOdometry_ = false, sawPoses_ = false;
+  bool sawActions_ = false, sawOdometry_ = false, sawPoses_ = false, sawGps_ = false;
   std::uint64_t count_ = 0, unusable_ = 0, late_ = 0;
   Ticks firstTime_ = 0, lastTime_ = 0;
   std::optional<Ticks> lastSkipped_;

@@ -16,6 +16,7 @@
 #include <limits>
 
 #include "Deskew.h"
+#include "SweepTimes.h"
 
 namespace toss {
 namespace {
@@ -60,10 +61,15 @@ std::string labels(const Sensors& sensors) {
 }  // namespace
 
 RawlogSource::RawlogSource(const std::filesystem::path& file, const InputOptions& options)
-    : options_(options), reader_(file), sweeps_(file), poses_(options) {
+    : options_(options),
+      sweepIsKnown_(options.deskew == Deskew::Sweep),
+      reader_(file),
+      sweeps_(file),
+      poses_(options) {
   for (const std::string& label : options.sensorLabels) sensors_.emplace_back(label);
   if (sensors_.empty() && !options.sensorLabel.empty()) sensors_.emplace_back(options.sensorLabel);
   if (options.withoutPoses) options_.deskew = Deskew::Off;
+  poses_.takeGps(file);
 }
 
 bool RawlogSource::next(PosedScan& scan) {
@@ -189,6 +195,8 @@ void RawlogSource::load(const Waiting& from, const Eigen::Isometry3d& pose, Pose
   scan.index = from.index;
   const bool fromPackets = !scan.points.ring.empty();
   if (!fromPackets && !sweeps_.addTo(scan, from.observation->sensorLabel)) ++withoutSweep_;
+  if (sweepIsKnown_ && scan.points.time.empty() && !scan.motionCompensated)
+    setSweepTimes(options_, scan.points);
   scan.sensorModel = from.sensor->model.modelOf(scan);
   countScan(scan.points, report_);
 }
@@ -234,9 +242,11 @@ void RawlogSource::failWithoutScans() const {
                     "input.pose_source=odometry");
   if (poses_.count() == 0)
     throw UserError(
-        file, "holds no poses of the robot that can be used",
-        "give poses with --poses FILE, or find them with --odometry; see input.pose_label "
-        "too");
+        file,
+        "holds no poses of the robot that can be used" +
+            std::string(poses_.sawGps() ? ", only GPS positions" : ""),
+        "give poses with --poses FILE, or find them with --odometry; see " +
+            std::string(poses_.sawGps() ? "input.pose_source=gps" : "input.pose_label") + " too");
   if (!firstScanTime_)
     throw UserError(file, "none of its scans has a time stamp", "record the log again");
   throw UserError(file,

@@ -64,6 +64,8 @@ class RawlogSource : public ScanSource {
   [[noreturn]] void failWithoutScans() const;
 
   InputOptions options_;
+  /// Whether returns without times get those of input.sweep_...
+  bool sweepIsKnown_;
   RawlogReader reader_;
   SweepFolder sweeps_;
   RawlogPoses poses_;

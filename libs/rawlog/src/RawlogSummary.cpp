@@ -25,7 +25,9 @@ using Ticks = PoseBuffer::Ticks;
 class RawlogSurvey {
  public:
   RawlogSurvey(const InputOptions& options, InputSummary& summary)
-      : reader_(summary.path), sweeps_(summary.path), poses_(options), summary_(summary) {}
+      : reader_(summary.path), sweeps_(summary.path), poses_(options), summary_(summary) {
+    poses_.takeGps(summary.path);
+  }
 
   void run() {
     std::uint64_t objects = 0;

@@ -11,13 +11,22 @@ namespace toss {
 /// Where the poses of a rawlog come from.
 enum class PoseSource {
   Observations,  ///< CObservationRobotPose: poses in 6D
-  Odometry       ///< CObservationOdometry, or the increments of an action/sensory-frame log
+  Odometry,      ///< CObservationOdometry, or the increments of an action/sensory-frame log
+  Gps            ///< CObservationGPS: positions, level, headed along the path
 };
 
 /// What is done about the motion of the sensor while it sweeps.
 enum class Deskew {
   Auto,  ///< compensated where returns have times, poses lie around the sweep, and it is not yet
-  Off    ///< never
+  Off,   ///< never
+  Sweep  ///< as Auto, and where returns have no times, they are those of a sweep as InputOptions
+         ///< says
+};
+
+/// Sense in which a LiDAR turns, seen from above.
+enum class SweepSense {
+  Clockwise,        ///< Velodyne, Ouster
+  Counterclockwise  ///< others
 };
 
 /// What the poses of a pose file are of.
@@ -58,6 +67,14 @@ struct InputOptions : Options {
 
   /// Compensation of the sensor's motion during a sweep.
   Deskew deskew = Deskew::Auto;
+  /// The sweep that Deskew::Sweep takes for granted where returns have no times: turns of the
+  /// sensor per second [Hz], sense of rotation seen from above, azimuth at which a sweep begins
+  /// [degrees, counterclockwise from the sensor's x axis], and where in the sweep the time stamp
+  /// of a scan lies, as a share of it.
+  double sweepRate = 10.0;
+  SweepSense sweepSense = SweepSense::Clockwise;
+  double sweepStart = 180.0;
+  double sweepStamp = 0.5;
 
   const char* section() const override { return "input"; }
   void visit(OptionVisitor& visitor) override;
