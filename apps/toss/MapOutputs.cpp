@@ -129,15 +129,17 @@ void MapOutputs::removeEarlierRun() const {
 }
 
 void MapOutputs::writeStaticMap(const MultiLidarPipeline& pipeline) {
-  const fs::path ply = folder_ / "static_map.ply";
-  PlyWriter map(ply, PlyWriter::Layout::Points, content_.offset);
+  PlyWriter map(folder_ / "static_map.ply", PlyWriter::Layout::Points, content_.offset);
   pipeline.visitStaticMap([&](const MapPoint& point) {
     map.add(point);
     staticSample_.add(point);
   });
   counts_.mapPoints = map.count();
   map.finish();
-  copyToMetricMap(ply, folder_ / "static_map.metricmap");
+}
+
+void MapOutputs::copyStaticMap() const {
+  copyToMetricMap(folder_ / "static_map.ply", folder_ / "static_map.metricmap");
 }
 
 void MapOutputs::finish(const MultiLidarPipeline& pipeline) {

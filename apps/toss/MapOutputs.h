@@ -42,8 +42,11 @@ class MapOutputs {
   /// `offset` [m]: taken off all coordinates of maps and pictures, the same for all scans.
   void addSettled(const PosedScan& scan, const ScanLabels& labels, const Eigen::Vector3d& offset);
   void addTimes(std::uint64_t scan, const std::vector<std::pair<std::string, double>>& times);
-  /// Writes what is left and gives all files their names. Files of an earlier run are gone then.
+  /// Writes what is left and gives all files their names, but what copyStaticMap() writes. Files of
+  /// an earlier run are gone then.
   void finish(const MultiLidarPipeline& pipeline);
+  /// Writes static_map.metricmap from static_map.ply, after finish().
+  void copyStaticMap() const;
 
   /// What pictures show; complete after finish().
   const MapContent& content() const { return content_; }

@@ -4,6 +4,7 @@
 #include <tbb/concurrent_queue.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
+#include <tbb/parallel_invoke.h>
 #include <tbb/parallel_pipeline.h>
 #include <toss/geometry/OptionSections.h>
 #include <toss/rawlog/AtomicFile.h>
@@ -256,7 +257,8 @@ void runMap(const MapRequest& request, const Verbosity& verbosity) {
   MapRunner runner(request, lidars, input, verbosity.quiet);
   runner.run();
   if (found) found->commit(configuration);
-  draw(request, runner.outputs().content(), configuration.render);
+  tbb::parallel_invoke([&] { draw(request, runner.outputs().content(), configuration.render); },
+                       [&] { runner.outputs().copyStaticMap(); });
   for (LidarSetup& lidar : lidars) lidar.configuration.input = configuration.input;
   lidars.front().configuration.sensor = configuration.sensor;
   writeTextAtomically(request.output / "config.ini", configurationText(lidars));
