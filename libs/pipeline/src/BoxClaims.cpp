@@ -12,8 +12,8 @@ namespace {
 
 constexpr int kCells = 256;
 constexpr float kCellSize = 1.0f;
-/// The lowest part of an object lies in the ground layer, below the box of its instance.
-constexpr double kBelowBox = 0.4;
+/// The lowest part of an object lies in the ground layer or is too sparse to be in its instance.
+constexpr double kBelowBox = 1.0;
 
 /// Cell along one axis; -1 and kCells stand for all beyond the grid.
 int cellOf(float coordinate) {
@@ -110,14 +110,15 @@ void BoxClaims::collectInInstances(const LevelPoints& points, const Segmentation
   }
 }
 
-std::int32_t BoxClaims::claimOf(float x, float y, float z, bool fromInstance) const {
+std::int32_t BoxClaims::claimOf(float x, float y, float z, bool fromInstance,
+                                std::int32_t except) const {
   const int row = cellOf(x), column = cellOf(y);
   if (!isInside(row) || !isInside(column)) return -1;
   for (std::int32_t e = grid_[gridIndex(row, column)]; e >= 0;
        e = entries_[static_cast<std::size_t>(e)].next) {
     const std::int32_t box = entries_[static_cast<std::size_t>(e)].box;
     const Footprint& f = footprints_[static_cast<std::size_t>(box)];
-    if (fromInstance && !f.cutsInstances) continue;
+    if ((fromInstance && !f.cutsInstances) || box == except) continue;
     const float dx = x - f.x, dy = y - f.y;
     if (z >= f.low && z <= f.high && std::fabs(f.cosYaw * dx + f.sinYaw * dy) <= f.halfLength &&
         std::fabs(f.cosYaw * dy - f.sinYaw * dx) <= f.halfWidth)
@@ -137,9 +138,13 @@ void BoxClaims::find(const LevelPoints& points, const Segmentation& segmentation
   for (const std::int32_t point : claimable_) {
     const auto i = static_cast<std::size_t>(point);
     const bool fromInstance = segmentation.pointClass[i] == PointClass::Instance;
-    const std::int32_t claimant = claimOf(points.x[i], points.y[i], points.z[i], fromInstance);
+    const std::int32_t claimant = claimOf(points.x[i], points.y[i], points.z[i], fromInstance, -1);
     if (claimant >= 0) claims.push_back({point, claimant});
   }
+}
+
+std::int32_t BoxClaims::boxAround(const Eigen::Vector3f& point, std::int32_t except) const {
+  return claimOf(point.x(), point.y(), point.z(), false, except);
 }
 
 }  // namespace toss

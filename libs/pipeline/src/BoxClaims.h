@@ -41,6 +41,10 @@ class BoxClaims {
             const std::vector<Claimant>& claimants, const Eigen::Vector3d& sensorPosition,
             const std::vector<bool>& standing, std::vector<Claim>& claims);
 
+  /// Smallest box of the last find() that holds the point [m, level frame], leaving out the box of
+  /// claimant `except`; -1 = none.
+  std::int32_t boxAround(const Eigen::Vector3f& point, std::int32_t except) const;
+
  private:
   /// Upright box in the level frame, ready to be tested.
   struct Footprint {
@@ -56,7 +60,7 @@ class BoxClaims {
   void collectOutsideInstances(const Segmentation& segmentation);
   void collectInInstances(const LevelPoints& points, const Segmentation& segmentation,
                           const std::vector<bool>& standing);
-  std::int32_t claimOf(float x, float y, float z, bool fromInstance) const;
+  std::int32_t claimOf(float x, float y, float z, bool fromInstance, std::int32_t except) const;
 
   double margin_, residueHeight_;
   std::vector<Footprint> footprints_;

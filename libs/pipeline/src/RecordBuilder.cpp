@@ -13,6 +13,12 @@ const Track* findTrack(const std::vector<Track>& tracks, TrackId id) {
   return found != tracks.end() && found->id == id ? &*found : nullptr;
 }
 
+/// Whether a trace moves, or may turn out to have moved when more of it has been seen.
+bool mayMove(const Track& track) {
+  constexpr double kSlowest = 0.2;
+  return isDynamic(track.motion) || (track.confirmed && track.speed() > kSlowest);
+}
+
 /// Memory fresh from the system costs more than what is written into it.
 template <typename T>
 void copyIntoSpare(const T& source, std::vector<T>& spares, T& target) {
@@ -43,21 +49,49 @@ void RecordBuilder::addClaims(const SegmentedScan& segmented,
     standing[k] = track == nullptr || !isDynamic(track->motion);
   }
   std::vector<BoxClaims::Claimant> claimants;
+  std::vector<GroundContact::Body> bodies;
   for (const Track& track : tracker.tracks()) {
+    if (track.updated())
+      bodies.push_back({detections[static_cast<std::size_t>(track.detection)].instance,
+                        static_cast<std::int32_t>(claimants.size())});
     // What was seen tells the extent of this scan better than the smoothed estimate.
     claimants.push_back(
         track.updated()
             ? BoxClaims::Claimant{detections[static_cast<std::size_t>(track.detection)].box, false}
-            : BoxClaims::Claimant{track.box, isDynamic(track.motion)});
+            : BoxClaims::Claimant{track.box, mayMove(track)});
     Owner owner;
     owner.track = track.id;
     record.owners.push_back(owner);
   }
   claims_.find(segmented.level, segmented.segmentation, claimants, record.sensorPosition, standing,
                foundClaims_);
+  foundContacts_.clear();
+  contact_.find(segmented.level, segmented.segmentation, bodies, foundContacts_);
   const std::int32_t firstClaim = segmented.segmentation.instanceCount + 1;
-  for (const BoxClaims::Claim& claim : foundClaims_)
-    record.owner[static_cast<std::size_t>(claim.point)] = firstClaim + claim.claimant;
+  for (const auto* found : {&foundContacts_, &foundClaims_})
+    for (const BoxClaims::Claim& claim : *found)
+      record.owner[static_cast<std::size_t>(claim.point)] = firstClaim + claim.claimant;
+  findCompanions(detections, tracker, record);
+}
+
+void RecordBuilder::findCompanions(const std::vector<Detection>& detections, const Tracker& tracker,
+                                   ScanRecord& record) const {
+  const std::vector<Track>& tracks = tracker.tracks();
+  for (std::size_t d = 0; d < detections.size(); ++d) {
+    const Detection& detection = detections[d];
+    if (detection.pointCount >= fragmentPoints_) continue;
+    Owner& owner = record.owners[static_cast<std::size_t>(detection.instance)];
+    const Track* own = findTrack(tracks, owner.track);
+    const auto except = own != nullptr ? static_cast<std::int32_t>(own - tracks.data()) : -1;
+    const Eigen::Vector3f center = (detection.box.center - record.sensorPosition).cast<float>();
+    const std::int32_t around = claims_.boxAround(center, except);
+    if (around < 0) continue;
+    const Track& companion = tracks[static_cast<std::size_t>(around)];
+    const bool larger =
+        !companion.updated() ||
+        detections[static_cast<std::size_t>(companion.detection)].pointCount > detection.pointCount;
+    if (larger) owner.companion = companion.id;
+  }
 }
 
 void RecordBuilder::reuseReturns(ScanRecord& record) {

@@ -7,6 +7,7 @@
 #include <toss/voting/DecisionOptions.h>
 
 #include "BoxClaims.h"
+#include "GroundContact.h"
 #include "ScanRecord.h"
 
 namespace toss {
@@ -16,7 +17,10 @@ class RecordBuilder {
  public:
   /// `residueHeight`: see BoxClaims.
   RecordBuilder(const DecisionOptions& options, double residueHeight)
-      : claiming_(options.claims), claims_(options.claimMargin, residueHeight) {}
+      : claiming_(options.claims),
+        fragmentPoints_(options.fragmentPoints),
+        claims_(options.claimMargin, residueHeight),
+        contact_(options.contactDistance) {}
 
   ScanRecord build(const PosedScan& scan, const SegmentedScan& segmented,
                    const std::vector<Detection>& detections, const Tracker& tracker);
@@ -32,10 +36,14 @@ class RecordBuilder {
                     ScanRecord& record) const;
   void addClaims(const SegmentedScan& segmented, const std::vector<Detection>& detections,
                  const Tracker& tracker, ScanRecord& record);
+  void findCompanions(const std::vector<Detection>& detections, const Tracker& tracker,
+                      ScanRecord& record) const;
 
   bool claiming_;
+  int fragmentPoints_;
   BoxClaims claims_;
-  std::vector<BoxClaims::Claim> foundClaims_;
+  GroundContact contact_;
+  std::vector<BoxClaims::Claim> foundClaims_, foundContacts_;
   /// Memory of scans that need it no more.
   std::vector<LevelPoints> spareLevels_;
   std::vector<std::vector<float>> spareIntensities_;

@@ -17,6 +17,8 @@ namespace toss {
 struct Owner {
   /// Trace, 0 = none.
   TrackId track = 0;
+  /// For a small instance: the trace in whose box it lies, of which it may be a fragment, 0 = none.
+  TrackId companion = 0;
   /// Box that is voted on; meaningful where `votes`.
   BoxId box = 0;
   bool votes = false;

@@ -60,6 +60,8 @@ std::vector<Variant> ablations() {
       without(kNoVotingName, "a box has the coarse class of its trace", {"voting.mode=off"}),
       without("literal voting", "the vote as it is printed", {"voting.mode=literal"}),
       without("no free space", "no other scan is asked", {"visibility.enabled=false"}),
+      without("no ground contact", "low ground returns at the foot of a mover stay",
+              {"decision.contact_distance=0"}),
       without("no claims", "boxes take nothing beyond their instance", {"decision.claims=false"}),
       without("constant links", "link distances do not grow with range",
               {"objects.metric=constant"}),

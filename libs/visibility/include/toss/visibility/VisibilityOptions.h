@@ -19,7 +19,7 @@ struct VisibilityOptions : Options {
   /// A view is free where it sees past the return by this much [m] plus this share of the range.
   double freeMargin = 0.4, freeMarginShare = 0.01;
   /// A view is a hit where it measures the return's range within this [m].
-  double hitMargin = 0.3;
+  double hitMargin = 0.2;
   /// Edge of the cells that a scan's returns are thinned to before views are asked [m].
   double cellSize = 0.2;
   /// Most cells of one instance that are asked about, spread over it.

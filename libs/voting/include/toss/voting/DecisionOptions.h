@@ -29,6 +29,13 @@ struct DecisionOptions : Options {
   bool claims = true;
   /// Margin by which the box of a trace claims returns that have no instance [m].
   double claimMargin = 0.15;
+  /// Largest horizontal distance within which the lowest half metre of a trace's instance claims
+  /// returns of the ground layer, however low they lie; nearer than 12 m it shrinks with the range,
+  /// as the spacing of beams does [m].
+  double contactDistance = 0.15;
+  /// An instance with fewer returns than this that lies in the box of a trace moves with it, unless
+  /// it is clearly measured again.
+  int fragmentPoints = 15;
 
   const char* section() const override { return "decision"; }
   void visit(OptionVisitor& visitor) override;
