@@ -24,6 +24,7 @@ toss=build/apps/toss/toss
 "$toss" --quiet simulate "$scene" "$work/log.rawlog" --frames "$scans" --seed 1
 valgrind --tool=callgrind --callgrind-out-file="$work/counts" --log-file="$work/valgrind.log" \
   --toggle-collect='toss::Pipeline::process(*' --toggle-collect='toss::Pipeline::finish(*' \
+  --toggle-collect='toss::Segmenter::segment(*' \
   "$toss" --quiet map "$work/log.rawlog" --out "$work/run" --threads 1 --no-snapshots ||
   { cat "$work/valgrind.log" >&2; exit 2; }
 callgrind_annotate --inclusive=yes --threshold=100 "$work/counts" >"$work/functions"
