@@ -58,8 +58,10 @@ void MotionSurvey::reportSweeps(Findings& findings) const {
                 "returns carry no times, so it does not show whether the scans are de-skewed: if "
                 "not, each is distorted by up to %.1f m",
                 *middle);
-  findings.push_back({Severity::Note, "no-times", text,
-                      "de-skew them where they are recorded, or import them with their times"});
+  findings.push_back(
+      {Severity::Note, "no-times", text,
+       "de-skew them where they are recorded, import them with their times, or describe "
+       "the sensor's sweep: input.deskew=sweep"});
 }
 
 void MotionSurvey::report(Findings& findings) const {
