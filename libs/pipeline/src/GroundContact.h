@@ -23,7 +23,8 @@ class GroundContact {
 
   /// `distance` [m]: largest horizontal reach of a body's lowest half metre, which grows with
   /// range; 0 finds nothing.
-  explicit GroundContact(double distance) : distance_(static_cast<float>(distance)) {}
+  explicit GroundContact(double distance)
+      : distance_(static_cast<float>(distance)), inverseDistance_(1.0 / distance) {}
 
   /// Appends to `claims` every Ground return in reach of a body, by ascending point; the nearest
   /// body wins.
@@ -43,6 +44,7 @@ class GroundContact {
   std::int32_t nearest(float x, float y, float z) const;
 
   float distance_;
+  double inverseDistance_;
   std::vector<FootPoint> feet_;
   /// First foot point of each cell, -1 where there is none; cells repeat every kCells, shape
   /// [kCells * kCells].
