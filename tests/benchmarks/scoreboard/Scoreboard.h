@@ -19,7 +19,7 @@ struct ScoreboardRequest {
   int frames = 0;
   /// The only variants to run, by name; empty = all.
   std::vector<std::string> variants;
-  /// Seeds 1 to this; ablations, bounds and OctoMap run on seed 1 alone.
+  /// Seeds 1 to this; ablations and OctoMap run on seed 1 alone.
   int seeds = 2;
   /// Cases that run at a time.
   int jobs = 2;
