@@ -18,7 +18,8 @@ using namespace toss;
 
 void readArguments(CLI::App& program, ScoreboardRequest& request) {
   program.add_flag("--quick", request.quick, "40 scans per scene, one seed, few variants");
-  program.add_option("--frames", request.frames, "Scans per scene; 0 = the scene's own number");
+  program.add_option("--frames", request.frames,
+                     "Most scans per scene (default: 100); 0 = the scene's own number");
   program.add_option("--seeds", request.seeds, "Seeds per scene, 1 with --quick")
       ->check(CLI::Range(1, 100));
   program.add_option("--jobs", request.jobs, "Cases at a time")->check(CLI::Range(1, 256));
@@ -43,8 +44,7 @@ std::vector<Variant> chosenVariants(const ScoreboardRequest& request) {
 
 void run(ScoreboardRequest& request) {
   constexpr int kQuickFrames = 40;
-  if (request.quick && request.frames == 0) request.frames = kQuickFrames;
-  if (request.quick) request.seeds = 1;
+  if (request.quick) request.frames = kQuickFrames, request.seeds = 1;
   std::filesystem::create_directories(request.output);
   const std::vector<Variant> variants = chosenVariants(request);
   const AssociationStudy association = studyAssociation();
