@@ -100,7 +100,7 @@ struct RayCaster::Implementation {
   std::vector<MovingPart> parts;
   std::vector<RTCScene> partScenes;
 
-  explicit Implementation(const World& w) : world(w), device(rtcNewDevice("isa=sse2,threads=1")) {
+  explicit Implementation(const World& w) : world(w), device(rtcNewDevice("isa=sse2")) {
     if (!device) throw std::runtime_error("Embree can not be started on this processor");
     still = makeScene(device, world.still);
     moving = rtcNewScene(device);
