@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PoseFinding.h"
 
+#include <toss/geometry/FormatText.h>
+
 #include <cmath>
-#include <cstdio>
 
 namespace toss {
 namespace {
-
-template <typename... Values>
-std::string format(const char* pattern, Values... values) {
-  char text[400];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
-}
 
 /// Roll, pitch and yaw [degrees] of a rotation.
 Eigen::Vector3d degrees(const Eigen::Matrix3d& r) {

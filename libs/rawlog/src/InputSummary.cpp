@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <toss/geometry/FormatText.h>
 #include <toss/rawlog/InputSummary.h>
 #include <toss/rawlog/ScanSource.h>
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -11,13 +11,6 @@
 
 namespace toss {
 namespace {
-
-template <typename... Values>
-std::string format(const char* pattern, Values... values) {
-  char text[512];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
-}
 
 std::uint64_t countLabelFiles(const std::filesystem::path& input) {
   const std::filesystem::path folder = labelsFolderOf(input);
