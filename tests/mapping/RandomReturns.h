@@ -27,6 +27,12 @@ struct RandomReturns {
   ScanReturns scan() const { return {level, intensity, sensorPosition}; }
 };
 
+/// A run of returns of nobody.
+inline VoxelRun voxelRun(VoxelKey key, std::uint64_t count, std::uint64_t x, std::uint64_t y,
+                         std::uint64_t z, std::uint64_t intensity) {
+  return {key, count << 60 | x << 40 | y << 20 | z, intensity};
+}
+
 inline bool operator==(const MapPoint& a, const MapPoint& b) {
   return a.x == b.x && a.y == b.y && a.z == b.z && a.intensity == b.intensity;
 }

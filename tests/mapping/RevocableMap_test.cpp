@@ -9,8 +9,8 @@ namespace {
 
 using test::RandomReturns;
 
-std::vector<VoxelContribution> bin(const VoxelMap& voxels, const RandomReturns& r) {
-  std::vector<VoxelContribution> result;
+std::vector<VoxelRun> bin(const VoxelMap& voxels, const RandomReturns& r) {
+  std::vector<VoxelRun> result;
   voxels.bin(r.level.x, r.level.y, r.level.z, r.intensity, r.sensorPosition, r.all, 50, result);
   return result;
 }
@@ -19,9 +19,9 @@ TEST(RevocableMap, TraceLedgerHoldsEachVoxelOnce) {
   std::mt19937 random(1);
   RevocableMap map(MappingOptions{}, {0, 0, 0});
   const RandomReturns parked(random, 400, 0.5f);
-  const auto contributions = bin(map.voxels(), parked);
+  const auto runs = bin(map.voxels(), parked);
   const auto scanOnce = [&](BoxId box) {
-    map.addBox(box, 1, contributions, false);
+    map.addBox(box, 1, runs, false);
     map.fold(box);
   };
   scanOnce(0);
@@ -34,9 +34,10 @@ TEST(RevocableMap, TraceLedgerHoldsEachVoxelOnce) {
 
 TEST(RevocableMap, LongParkingOverflowsNothing) {
   RevocableMap map(MappingOptions{}, {0, 0, 0});
-  const std::vector<VoxelContribution> wall = {{voxelKey(0, 0, 0), 1, 10, 20, 30, 40}};
-  const std::uint32_t most = 50u * 65535u;
-  const std::vector<VoxelContribution> car = {{voxelKey(0, 0, 0), 50, most, most, most, 50u << 16}};
+  const std::vector<VoxelRun> wall = {test::voxelRun(voxelKey(0, 0, 0), 1, 10, 20, 30, 40)};
+  const std::uint32_t most = 15u * 65535u;
+  const std::vector<VoxelRun> car(
+      3, test::voxelRun(voxelKey(0, 0, 0), 15, most, most, most, 15u << 16));
   map.addPermanent(wall);
   const std::vector<MapPoint> before = map.voxels().points();
   for (BoxId box = 0; box < 36000; ++box) {

@@ -39,26 +39,34 @@ std::map<VoxelKey, Mean> bruteForce(const RandomReturns& returns, double voxelSi
   return voxels;
 }
 
-std::vector<VoxelContribution> bin(const VoxelMap& map, const RandomReturns& r, std::uint32_t cap) {
-  std::vector<VoxelContribution> result;
+std::vector<VoxelRun> bin(const VoxelMap& map, const RandomReturns& r, std::uint32_t cap) {
+  std::vector<VoxelRun> result;
   EXPECT_EQ(
       map.bin(r.level.x, r.level.y, r.level.z, r.intensity, r.sensorPosition, r.all, cap, result),
       0u);
   return result;
 }
 
+/// Returns of each voxel.
+std::map<VoxelKey, std::uint64_t> countByVoxel(const std::vector<VoxelRun>& runs) {
+  std::map<VoxelKey, std::uint64_t> counts;
+  for (const VoxelRun& run : runs) counts[run.key] += run.count();
+  return counts;
+}
+
 void expectCentroids(const RandomReturns& returns, double voxelSize, const Eigen::Vector3d& origin,
                      std::uint32_t cap) {
   VoxelMap map(voxelSize, origin);
-  const auto contributions = bin(map, returns, cap);
-  map.add(contributions);
+  const std::vector<VoxelRun> runs = bin(map, returns, cap);
+  const auto counts = countByVoxel(runs);
+  map.add(runs);
   const std::vector<MapPoint> points = map.points();
   const auto expected = bruteForce(returns, voxelSize, origin, static_cast<int>(cap));
   ASSERT_EQ(points.size(), expected.size());
+  ASSERT_EQ(counts.size(), expected.size());
   std::size_t i = 0;
   for (const auto& [key, mean] : expected) {
-    EXPECT_EQ(contributions[i].key, key);
-    EXPECT_EQ(contributions[i].count, static_cast<std::uint32_t>(mean.count));
+    EXPECT_EQ(counts.at(key), static_cast<std::uint64_t>(mean.count));
     const Eigen::Vector4d m = mean.sum / mean.count;
     const MapPoint& p = points[i++];
     const double tolerance = voxelSize / 65536.0 + 1e-6 * m.head<3>().cwiseAbs().maxCoeff();
@@ -115,18 +123,19 @@ TEST(VoxelMap, LeavesOutAndCountsWhatHasNoPlace) {
   const std::vector<float> zero(x.size(), 0.5f);
   const std::vector<float> intensity = {nan, 1, 1, 1, 1, -3.0f, 1};
   VoxelMap map(0.1);
-  std::vector<VoxelContribution> result;
+  std::vector<VoxelRun> result;
   const std::vector<std::int32_t> all = {0, 1, 2, 3, 4, 5, 6};
   EXPECT_EQ(map.bin(x, zero, zero, intensity, {0, 0, 0}, all, kNoCap, result), 5u);
-  ASSERT_EQ(result.size(), 1u);
-  EXPECT_EQ(result[0].count, 2u);
-  EXPECT_EQ(result[0].intensity, 0u);
+  const auto counts = countByVoxel(result);
+  ASSERT_EQ(counts.size(), 1u);
+  EXPECT_EQ(counts.begin()->second, 2u);
+  for (const VoxelRun& run : result) EXPECT_EQ(run.intensity(), 0u);
   EXPECT_EQ(map.bin(x, zero, zero, {}, {0, 0, 0}, all, kNoCap, result), 5u);
 }
 
 TEST(VoxelMap, NegativeCoordinatesGoDownNotTowardsZero) {
   VoxelMap map(0.5);
-  std::vector<VoxelContribution> result;
+  std::vector<VoxelRun> result;
   map.bin({-0.1f, 0.1f}, {-0.6f, 0.0f}, {-0.5f, 0.0f}, {}, {0, 0, 0},
           std::vector<std::int32_t>{0, 1}, kNoCap, result);
   ASSERT_EQ(result.size(), 2u);
@@ -136,7 +145,7 @@ TEST(VoxelMap, NegativeCoordinatesGoDownNotTowardsZero) {
 
 TEST(VoxelMap, SensorOutOfReachIsTheUsersError) {
   VoxelMap map(0.1, {10, 0, 0});
-  std::vector<VoxelContribution> result;
+  std::vector<VoxelRun> result;
   const std::vector<std::int32_t> none;
   EXPECT_NO_THROW(map.bin({}, {}, {}, {}, {104000, 0, 0}, none, kNoCap, result));
   EXPECT_THROW(map.bin({}, {}, {}, {}, {106000, 0, 0}, none, kNoCap, result), UserError);
@@ -162,7 +171,8 @@ TEST(VoxelMap, SubtractingLeavesNoTrace) {
 
 TEST(VoxelMap, MinimumCountHidesThinVoxels) {
   VoxelMap map(1.0);
-  map.add({{voxelKey(0, 0, 0), 1, 5, 5, 5, 0}, {voxelKey(1, 0, 0), 3, 5, 5, 5, 0}});
+  map.add(std::vector{test::voxelRun(voxelKey(0, 0, 0), 1, 5, 5, 5, 0),
+                      test::voxelRun(voxelKey(1, 0, 0), 3, 5, 5, 5, 0)});
   EXPECT_EQ(map.size(1), 2u);
   EXPECT_EQ(map.size(2), 1u);
   ASSERT_EQ(map.points(2).size(), 1u);
@@ -171,15 +181,39 @@ TEST(VoxelMap, MinimumCountHidesThinVoxels) {
 
 TEST(VoxelMap, SumsHoldMoreThanThirtyTwoBits) {
   VoxelMap map(1.0);
-  const std::uint32_t half = 65535u * 32768u;
-  const VoxelContribution many{voxelKey(-1, 0, 0), 65535, half, half, half, 65535ull << 16};
-  for (int i = 0; i < 2000; ++i) map.add({many});
+  constexpr std::uint64_t kCount = 15, kHalf = kCount * 32768;
+  const std::vector<VoxelRun> many(
+      1000, test::voxelRun(voxelKey(-1, 0, 0), kCount, kHalf, kHalf, kHalf, kCount << 32));
+  for (int i = 0; i < 1000; ++i) map.add(many);
   const MapPoint p = map.points().at(0);
   EXPECT_FLOAT_EQ(p.x, -0.5f);
   EXPECT_FLOAT_EQ(p.y, 0.5f);
-  EXPECT_FLOAT_EQ(p.intensity, 1.0f);
-  for (int i = 0; i < 2000; ++i) map.subtract({many});
+  EXPECT_FLOAT_EQ(p.intensity, 65536.0f);
+  EXPECT_EQ(map.size(1000u * 1000u * kCount), 1u);
+  EXPECT_EQ(map.size(1000u * 1000u * kCount + 1), 0u);
+  for (int i = 0; i < 1000; ++i) map.subtract(many);
   EXPECT_EQ(map.size(), 0u);
+}
+
+/// Every return of one voxel, and each owner on its own.
+TEST(VoxelMap, CapHoldsForEachOwner) {
+  constexpr std::size_t kOwners = 3;
+  for (const std::uint32_t cap : {1u, 15u, 16u, 50u}) {
+    const std::vector<float> same(200, 0.55f);
+    std::vector<std::int32_t> owner(same.size());
+    std::array<std::uint64_t, kOwners> counts{}, expected{};
+    for (std::size_t i = 0; i < owner.size(); ++i) {
+      owner[i] = static_cast<std::int32_t>(i % 7 < 4 ? 2 : i % 7 - 5);
+      if (owner[i] >= 0) ++expected[static_cast<std::size_t>(owner[i])];
+    }
+    VoxelMap map(0.1);
+    BinnedReturns binned;
+    map.binByOwner(same, same, same, {}, {0, 0, 0}, owner, cap, binned);
+    for (const auto* runs : {&binned.permanent, &binned.owned})
+      for (const VoxelRun& run : *runs) counts.at(run.owner()) += run.count();
+    for (std::size_t o = 0; o < kOwners; ++o)
+      EXPECT_EQ(counts[o], std::min<std::uint64_t>(cap, expected[o])) << cap << " " << o;
+  }
 }
 
 /// Voxels of a level plane and of a wall, as a robot that drives past them leaves them.
@@ -187,9 +221,11 @@ TEST(VoxelMap, AVoxelOfASurfaceTakesLessThanSixtyBytes) {
   VoxelMap map(0.1);
   double most = 0.0;
   for (std::int32_t x = 0; x < 1500; ++x) {
-    std::vector<VoxelContribution> slice;
-    for (std::int32_t y = 0; y < 100; ++y) slice.push_back({voxelKey(x, y, 7), 1, 0, 0, 0, 0});
-    for (std::int32_t z = 8; z < 60; ++z) slice.push_back({voxelKey(x, 99, z), 1, 0, 0, 0, 0});
+    std::vector<VoxelRun> slice;
+    for (std::int32_t y = 0; y < 100; ++y)
+      slice.push_back(test::voxelRun(voxelKey(x, y, 7), 1, 0, 0, 0, 0));
+    for (std::int32_t z = 8; z < 60; ++z)
+      slice.push_back(test::voxelRun(voxelKey(x, 99, z), 1, 0, 0, 0, 0));
     map.add(slice);
     if (x % 100 == 99) {
       most = std::max(most, static_cast<double>(map.bytes()) / static_cast<double>(map.size()));

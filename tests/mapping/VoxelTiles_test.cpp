@@ -77,10 +77,10 @@ TEST(VoxelTiles, MemoryDoesNotGrowWithTheWay) {
   for (int step = 0; step < 1200; ++step) {
     RandomReturns returns(random, 300, 4.0f);
     returns.sensorPosition.x() = 0.5 * step;
-    std::vector<VoxelContribution> contributions;
+    std::vector<VoxelRun> runs;
     map.bin(returns.level.x, returns.level.y, returns.level.z, {}, returns.sensorPosition,
-            returns.all, 50, contributions);
-    map.add(contributions);
+            returns.all, 50, runs);
+    map.add(runs);
     map.leaveBehind(returns.sensorPosition, options.tilesKeepRadius);
     if (step % 300 == 299) bytes.push_back(map.bytes());
   }
@@ -91,7 +91,7 @@ TEST(VoxelTiles, MemoryDoesNotGrowWithTheWay) {
 
 TEST(VoxelTiles, WithoutAStoreNothingLeaves) {
   VoxelMap map(0.1, {0, 0, 0}, 5.0, nullptr);
-  map.add({{voxelKey(0, 0, 0), 1, 0, 0, 0, 0}});
+  map.add(std::vector{test::voxelRun(voxelKey(0, 0, 0), 1, 0, 0, 0, 0)});
   for (int i = 0; i < 200; ++i) map.leaveBehind({1000.0, 0, 0}, 1.0);
   EXPECT_EQ(map.tilesInStore(), 0u);
   EXPECT_EQ(map.points().size(), 1u);

@@ -5,31 +5,28 @@
 #include <stdexcept>
 #include <string>
 
+#include "ScanLedger.h"
 #include "TraceLedger.h"
 
 namespace toss {
 
 namespace {
 
-/// Contributions of the boxes of one call, held by the ledgers of these boxes.
-using Contributions = std::shared_ptr<std::vector<VoxelContribution>>;
+/// Runs of the boxes of one call, held by the ledgers of these boxes.
+using Held = std::shared_ptr<ScanLedger>;
 
 struct BoxLedger {
   TrackId track = 0;
   bool dynamic = false;
-  /// Those of this box: [begin, end) of `held`.
-  std::size_t begin = 0, end = 0;
-  Contributions held;
+  /// Whose runs of `held` are those of this box.
+  std::size_t owner = 0;
+  Held held;
 
-  ContributionSpan span() const { return {held->data() + begin, held->data() + end}; }
+  RunSpan runs() const { return held->of(owner); }
 };
 
 /// Spare memory that is kept: a scan is settled for each that comes.
 constexpr std::size_t kSpares = 2;
-
-ContributionSpan spanOf(const std::vector<VoxelContribution>& all) {
-  return {all.data(), all.data() + all.size()};
-}
 
 }  // namespace
 
@@ -40,17 +37,20 @@ struct RevocableMap::Implementation {
   tsl::robin_map<BoxId, BoxLedger> boxes;
   tsl::robin_map<TrackId, TraceLedger> traces;
   /// Memory of scans whose boxes are all settled.
-  std::vector<Contributions> spares;
-  std::vector<ContributionSpan> spans;
+  std::vector<Held> spares;
 
-  Contributions spareOrNew() {
-    if (spares.empty()) return std::make_shared<std::vector<VoxelContribution>>();
-    const Contributions spare = std::move(spares.back());
+  Held spareOrNew() {
+    if (spares.empty()) return std::make_shared<ScanLedger>();
+    const Held spare = std::move(spares.back());
     spares.pop_back();
     return spare;
   }
+  void enter(BoxId box, BoxLedger ledger) {
+    const auto [place, isNew] = boxes.try_emplace(box, std::move(ledger));
+    if (!isNew) throw std::logic_error("RevocableMap: box " + std::to_string(box) + " comes twice");
+  }
   void erase(tsl::robin_map<BoxId, BoxLedger>::iterator place) {
-    const Contributions held = std::move(place.value().held);
+    const Held held = std::move(place.value().held);
     boxes.erase(place);
     if (held.use_count() == 1 && spares.size() < kSpares) spares.push_back(held);
   }
@@ -71,7 +71,6 @@ RevocableMap::RevocableMap(const MappingOptions& options, const Eigen::Vector3d&
                          options.tilesKeepRadius,
                          {},
                          {},
-                         {},
                          {}});
 }
 
@@ -85,39 +84,31 @@ const VoxelMap& RevocableMap::voxels() const {
   return implementation_->voxels;
 }
 
-void RevocableMap::addPermanent(const std::vector<VoxelContribution>& contributions) {
-  implementation_->voxels.add(contributions);
+void RevocableMap::addPermanent(const RunSpan& runs) {
+  implementation_->voxels.add(runs);
 }
 
-void RevocableMap::addBox(BoxId box, TrackId track, std::vector<VoxelContribution> contributions,
-                          bool dynamic) {
-  const auto [place, isNew] = implementation_->boxes.try_emplace(box);
-  if (!isNew) throw std::logic_error("RevocableMap: box " + std::to_string(box) + " comes twice");
-  if (!dynamic) implementation_->voxels.add(contributions);
-  const std::size_t count = contributions.size();
-  place.value() = {track, dynamic, 0, count,
-                   std::make_shared<std::vector<VoxelContribution>>(std::move(contributions))};
+void RevocableMap::addBox(BoxId box, TrackId track, std::vector<VoxelRun> runs, bool dynamic) {
+  const Held held = std::make_shared<ScanLedger>();
+  held->swap(runs);
+  implementation_->enter(box, {track, dynamic, 0, held});
+  if (!dynamic) implementation_->voxels.add(held->all());
 }
 
 void RevocableMap::addScan(BinnedReturns& binned, const std::vector<bool>& dynamic,
                            BoxId firstBox) {
-  Implementation& map = *implementation_;
-  const Contributions held = map.spareOrNew();
-  held->swap(binned.contributions);
-  map.spans.assign(1, spanOf(binned.permanent));
-  for (const BinnedReturns::Owner& each : binned.owners) {
-    const BoxId box = firstBox + each.owner;
-    const auto [place, isNew] = map.boxes.try_emplace(box);
-    if (!isNew) throw std::logic_error("RevocableMap: box " + std::to_string(box) + " comes twice");
-    place.value() = {0, dynamic[each.owner], each.begin, each.end, held};
-    if (!dynamic[each.owner]) map.spans.push_back(place->second.span());
-  }
-  map.voxels.add(map.spans);
+  const Held held = implementation_->spareOrNew();
+  held->swap(binned.owned);
+  for (std::size_t owner = 1; owner < held->owners(); ++owner)
+    if (held->count(owner) > 0)
+      implementation_->enter(firstBox + owner, {0, dynamic[owner], owner, held});
+  implementation_->voxels.add(binned.permanent);
+  implementation_->voxels.add(held->all(), &dynamic);
 }
 
-void RevocableMap::addToTrack(TrackId track, const std::vector<VoxelContribution>& contributions) {
-  implementation_->voxels.add(contributions);
-  if (track != 0) implementation_->traces[track].add(spanOf(contributions));
+void RevocableMap::addToTrack(TrackId track, const RunSpan& runs) {
+  implementation_->voxels.add(runs);
+  if (track != 0) implementation_->traces[track].add(runs);
 }
 
 void RevocableMap::setDynamic(BoxId box, bool dynamic) {
@@ -125,9 +116,9 @@ void RevocableMap::setDynamic(BoxId box, bool dynamic) {
   if (ledger.dynamic == dynamic) return;
   ledger.dynamic = dynamic;
   if (dynamic) {
-    implementation_->voxels.subtract(ledger.span());
+    implementation_->voxels.subtract(ledger.runs());
   } else {
-    implementation_->voxels.add({ledger.span()});
+    implementation_->voxels.add(ledger.runs());
   }
 }
 
@@ -135,7 +126,7 @@ void RevocableMap::fold(BoxId box) {
   const auto place = implementation_->find(box);
   const BoxLedger& ledger = place->second;
   if (!ledger.dynamic && ledger.track != 0) {
-    implementation_->traces[ledger.track].add(ledger.span());
+    implementation_->traces[ledger.track].add(ledger.runs());
   }
   implementation_->erase(place);
 }
@@ -143,7 +134,7 @@ void RevocableMap::fold(BoxId box) {
 void RevocableMap::revokeTrack(TrackId track) {
   const auto place = implementation_->traces.find(track);
   if (place == implementation_->traces.end()) return;
-  implementation_->voxels.subtract(place->second.sums());
+  place->second.subtractFrom(implementation_->voxels);
   implementation_->traces.erase(place);
 }
 
@@ -164,7 +155,7 @@ std::size_t RevocableMap::ledgerBytes() const {
   std::size_t bytes = implementation_->boxes.bucket_count() * sizeof(BoxLedger) +
                       implementation_->traces.bucket_count() * sizeof(TraceLedger);
   for (const auto& [box, ledger] : implementation_->boxes) {
-    bytes += (ledger.end - ledger.begin) * sizeof(VoxelContribution);
+    bytes += ledger.held->count(ledger.owner) * sizeof(VoxelRun);
   }
   for (const auto& [track, ledger] : implementation_->traces) bytes += ledger.bytes();
   return bytes;

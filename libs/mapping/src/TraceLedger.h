@@ -2,6 +2,7 @@
 #pragma once
 
 #include <toss/mapping/VoxelMap.h>
+#include <tsl/robin_map.h>
 
 namespace toss {
 
@@ -9,13 +10,12 @@ namespace toss {
 /// trace was seen there (spec section 8.3).
 class TraceLedger {
  public:
-  void add(const ContributionSpan& contributions);
-  /// By ascending key.
-  const std::vector<VoxelSum>& sums() const { return sums_; }
-  std::size_t bytes() const { return sums_.capacity() * sizeof(VoxelSum); }
+  void add(const RunSpan& runs);
+  void subtractFrom(VoxelMap& map) const;
+  std::size_t bytes() const { return sums_.bucket_count() * sizeof(*sums_.begin()); }
 
  private:
-  std::vector<VoxelSum> sums_;
+  tsl::robin_map<VoxelKey, VoxelSum> sums_;
 };
 
 }  // namespace toss

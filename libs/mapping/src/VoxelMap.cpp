@@ -72,14 +72,14 @@ VoxelReturns VoxelMap::Implementation::returns(const float* x, const float* y, c
 std::size_t VoxelMap::bin(const std::vector<float>& x, const std::vector<float>& y,
                           const std::vector<float>& z, const std::vector<float>& intensity,
                           const Eigen::Vector3d& sensorPosition, IndexSpan indices,
-                          std::uint32_t cap, std::vector<VoxelContribution>& result) const {
+                          std::uint32_t cap, std::vector<VoxelRun>& result) const {
   VoxelReturns returns =
       implementation_->returns(x.data(), y.data(), z.data(), intensity, sensorPosition);
   returns.indices = indices.data;
   returns.count = indices.count;
   BinnedReturns binned;
   binned.permanent.swap(result);
-  const std::size_t leftOut = threadsBinning().sum(returns, cap, binned);
+  const std::size_t leftOut = threadsBinning().bin(returns, cap, binned);
   result.swap(binned.permanent);
   return leftOut;
 }
@@ -93,33 +93,21 @@ std::size_t VoxelMap::binByOwner(const std::vector<float>& x, const std::vector<
       implementation_->returns(x.data(), y.data(), z.data(), intensity, sensorPosition);
   returns.owner = owner.data();
   returns.count = owner.size();
-  return threadsBinning().sum(returns, cap, result);
+  return threadsBinning().bin(returns, cap, result);
 }
 
-void VoxelMap::add(const std::vector<VoxelContribution>& contributions) {
-  add(contributions.data(), contributions.data() + contributions.size());
+void VoxelMap::add(const RunSpan& runs, const std::vector<bool>* without) {
+  implementation_->tiles.add(runs, without);
 }
 
-void VoxelMap::add(const VoxelContribution* first, const VoxelContribution* last) {
-  const ContributionSpan span{first, last};
-  implementation_->tiles.add(&span, &span + 1);
+void VoxelMap::subtract(const RunSpan& runs) {
+  for (const VoxelRun& run : runs)
+    subtract({run.key, static_cast<std::uint32_t>(run.count()), run.x(), run.y(), run.z(),
+              run.intensity()});
 }
 
-void VoxelMap::add(const std::vector<ContributionSpan>& spans) {
-  implementation_->tiles.add(spans.data(), spans.data() + spans.size());
-}
-
-void VoxelMap::subtract(const std::vector<VoxelContribution>& contributions) {
-  subtract(ContributionSpan{contributions.data(), contributions.data() + contributions.size()});
-}
-
-void VoxelMap::subtract(const ContributionSpan& span) {
-  for (const VoxelContribution* c = span.begin; c != span.end; ++c)
-    implementation_->tiles.subtract({c->key, c->count, c->x, c->y, c->z, c->intensity});
-}
-
-void VoxelMap::subtract(const std::vector<VoxelSum>& sums) {
-  for (const VoxelSum& sum : sums) implementation_->tiles.subtract(sum);
+void VoxelMap::subtract(const VoxelSum& sum) {
+  implementation_->tiles.subtract(sum);
 }
 
 std::size_t VoxelMap::size(std::uint32_t minCount) const {

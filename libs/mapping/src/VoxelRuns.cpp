@@ -8,15 +8,10 @@ namespace toss {
 
 namespace {
 
-/// Returns that are worked on together: their coordinates stay in the first-level cache.
-constexpr std::size_t kChunk = 512;
-constexpr std::uint64_t kOutOfReach = ~std::uint64_t{0};
-
-struct Chunk {
-  std::uint64_t x[kChunk], y[kChunk], z[kChunk], intensity[kChunk];
-  /// Voxel index: x, y, z of 21 bits each, or kOutOfReach.
-  std::uint64_t voxel[kChunk];
-};
+/// Indices that no voxel has.
+constexpr std::uint64_t kNoVoxel = ~std::uint64_t{0}, kBeforeFirst = kNoVoxel - 1;
+/// Above the bits of fixed-point coordinates, and of the parts of the words of a VoxelRun.
+constexpr int kFixedBits = kVoxelKeyBits + 16, kOwnerShift = 36, kCountShift = 60;
 
 /// Bits of a double around 1.5 * 2^52. Such doubles are whole numbers, and their lower bits are
 /// these numbers: adding 1.5 * 2^52 rounds, and unlike a conversion the processor does it for
@@ -45,7 +40,7 @@ void fixAxis(const VoxelReturns::Axis& axis, const VoxelReturns& returns, std::s
              std::size_t count, std::uint64_t* fixed) {
   // Rounding half a unit lower is rounding down.
   const double shift = axis.shift - 0.5, scale = returns.scale;
-  float buffer[kChunk];
+  float buffer[VoxelRuns::kChunk];
   const float* const value = valuesAt(axis.level, returns, begin, count, buffer);
   for (std::size_t i = 0; i < count; ++i) fixed[i] = rounded(value[i] * scale + shift);
 }
@@ -66,26 +61,9 @@ float shownIntensity(float intensity) {
 void fixIntensity(const VoxelReturns& returns, std::size_t begin, std::size_t count,
                   std::uint64_t* fixed) {
   if (!returns.intensity) return std::fill_n(fixed, count, std::uint64_t{0}), void();
-  float buffer[kChunk];
+  float buffer[VoxelRuns::kChunk];
   const float* const value = valuesAt(returns.intensity, returns, begin, count, buffer);
   for (std::size_t i = 0; i < count; ++i) fixed[i] = rounded(shownIntensity(value[i]) * 65536.0);
-}
-
-void fixChunk(const VoxelReturns& returns, std::size_t begin, std::size_t count, Chunk& chunk) {
-  fixAxis(returns.x, returns, begin, count, chunk.x);
-  fixAxis(returns.y, returns, begin, count, chunk.y);
-  fixAxis(returns.z, returns, begin, count, chunk.z);
-  fixIntensity(returns, begin, count, chunk.intensity);
-  std::uint64_t all = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint64_t x = chunk.x[i], y = chunk.y[i], z = chunk.z[i];
-    all |= x | y | z;
-    chunk.voxel[i] = x >> 16 << 2 * kVoxelKeyBits | y >> 16 << kVoxelKeyBits | z >> 16;
-  }
-  if (all >> (kVoxelKeyBits + 16) == 0) return;
-  for (std::size_t i = 0; i < count; ++i)
-    if ((chunk.x[i] | chunk.y[i] | chunk.z[i]) >> (kVoxelKeyBits + 16) != 0)
-      chunk.voxel[i] = kOutOfReach;
 }
 
 /// Keys of the voxels of a scan one after another, which seldom change their brick.
@@ -106,86 +84,81 @@ class KeyMaker {
   }
 
  private:
-  std::uint64_t brick_ = kOutOfReach;
+  std::uint64_t brick_ = kNoVoxel;
   VoxelKey key_ = 0;
-};
-
-/// Sums of returns, two in a word: none of them reaches 2^32 (at most 65535 returns).
-struct PackedSums {
-  std::uint64_t countAndX = 0, yAndZ = 0, intensity = 0;
-
-  void add(const Chunk& chunk, std::size_t i) {
-    constexpr std::uint64_t kOffset = 0xffff;
-    countAndX += 1 | (chunk.x[i] & kOffset) << 32;
-    yAndZ += (chunk.y[i] & kOffset) | (chunk.z[i] & kOffset) << 32;
-    intensity += chunk.intensity[i];
-  }
-  std::uint32_t count() const { return static_cast<std::uint32_t>(countAndX); }
-  /// Part by part: a copy through memory of what was just written in other parts would wait.
-  void copyTo(VoxelContribution& sum) const {
-    sum.count = count();
-    sum.x = static_cast<std::uint32_t>(countAndX >> 32);
-    sum.y = static_cast<std::uint32_t>(yAndZ);
-    sum.z = static_cast<std::uint32_t>(yAndZ >> 32);
-    sum.intensity = intensity;
-  }
-};
-
-/// Puts returns together to runs as they come.
-class RunBuilder {
- public:
-  RunBuilder(std::uint32_t cap, std::vector<VoxelRun>& runs) : cap_(cap), runs_(runs) {}
-
-  void add(const Chunk& chunk, std::size_t i, std::size_t place, std::uint32_t owner) {
-    if (chunk.voxel[i] != voxel_ || owner != owner_) {
-      finish();
-      voxel_ = chunk.voxel[i];
-      owner_ = owner;
-      sums_ = PackedSums();
-      begin_ = static_cast<std::uint32_t>(place);
-    }
-    if (sums_.count() == cap_) return;
-    end_ = static_cast<std::uint32_t>(place + 1);
-    sums_.add(chunk, i);
-  }
-  void finish() {
-    if (voxel_ == kOutOfReach) return;
-    VoxelRun& run = runs_.emplace_back(keys_.keyOf(voxel_), owner_);
-    sums_.copyTo(run.sum);
-    run.begin = begin_;
-    run.end = end_;
-  }
-
- private:
-  std::uint32_t cap_;
-  std::vector<VoxelRun>& runs_;
-  KeyMaker keys_;
-  std::uint64_t voxel_ = kOutOfReach;
-  PackedSums sums_;
-  std::uint32_t owner_ = 0, begin_ = 0, end_ = 0;
 };
 
 }  // namespace
 
-std::size_t appendRuns(const VoxelReturns& returns, std::size_t begin, std::size_t end,
-                       std::uint32_t cap, std::vector<VoxelRun>& runs) {
-  Chunk chunk;
-  RunBuilder builder(cap, runs);
-  std::size_t leftOut = 0;
-  for (; begin < end; begin += kChunk) {
-    const std::size_t count = std::min(kChunk, end - begin);
-    fixChunk(returns, begin, count, chunk);
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::int32_t owner = returns.owner ? returns.owner[begin + i] : 0;
-      if (owner < 0) continue;
-      if (chunk.voxel[i] == kOutOfReach)
-        ++leftOut;
-      else
-        builder.add(chunk, i, begin + i, static_cast<std::uint32_t>(owner));
-    }
+void VoxelRuns::fix(const VoxelReturns& returns, std::size_t begin, std::size_t count) {
+  fixAxis(returns.x, returns, begin, count, x_.data());
+  fixAxis(returns.y, returns, begin, count, y_.data());
+  fixAxis(returns.z, returns, begin, count, z_.data());
+  fixIntensity(returns, begin, count, ownerAndIntensity_.data());
+  constexpr std::uint64_t kOne = std::uint64_t{1} << kCountShift, kOffset = 0xffff;
+  std::uint64_t all = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint64_t x = x_[i], y = y_[i], z = z_[i];
+    all |= x | y | z;
+    voxel_[i] = x >> 16 << 2 * kVoxelKeyBits | y >> 16 << kVoxelKeyBits | z >> 16;
+    countAndOffsets_[i] = kOne | (x & kOffset) << 40 | (y & kOffset) << 20 | (z & kOffset);
   }
-  builder.finish();
-  return leftOut;
+  if (returns.owner) setOwners(returns, begin, count);
+  if (all >> kFixedBits != 0) markOutOfReach(count);
+}
+
+void VoxelRuns::setOwners(const VoxelReturns& returns, std::size_t begin, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::int64_t owner = returns.owner[begin + i];
+    ownerAndIntensity_[i] |= static_cast<std::uint64_t>(owner) << kOwnerShift;
+    // All bits where the owner is below 0.
+    voxel_[i] |= static_cast<std::uint64_t>(owner >> 63);
+  }
+}
+
+void VoxelRuns::markOutOfReach(std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if ((x_[i] | y_[i] | z_[i]) >> kFixedBits == 0) continue;
+    leftOut_ += ownerAndIntensity_[i] >> 63 == 0;
+    voxel_[i] = kNoVoxel;
+  }
+}
+
+std::size_t VoxelRuns::join(std::size_t count, std::uint64_t most) {
+  const std::uint64_t full = most << kCountShift;
+  VoxelRun run{kBeforeFirst, 0, 0};
+  // Whether a return goes on with a run is hard to foresee: the run is written after each return,
+  // and what does not go on moves to the next place.
+  std::size_t runs = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool sameOwner = (run.ownerAndIntensity ^ ownerAndIntensity_[i]) >> kOwnerShift == 0;
+    const bool goesOn = (run.key == voxel_[i]) & sameOwner & (run.countAndOffsets < full);
+    const std::uint64_t kept = 0 - std::uint64_t{goesOn};
+    constexpr std::uint64_t kIntensity = (std::uint64_t{1} << kOwnerShift) - 1;
+    run.key = voxel_[i];
+    run.countAndOffsets = (run.countAndOffsets & kept) + countAndOffsets_[i];
+    run.ownerAndIntensity = (run.ownerAndIntensity & kept & kIntensity) + ownerAndIntensity_[i];
+    runs += !goesOn;
+    runs_[runs - 1] = run;
+  }
+  return runs;
+}
+
+std::size_t VoxelRuns::makeKeys(std::size_t count) {
+  KeyMaker keys;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (runs_[i].key == kNoVoxel) continue;
+    runs_[kept] = runs_[i];
+    runs_[kept++].key = keys.keyOf(runs_[i].key);
+  }
+  return kept;
+}
+
+RunSpan VoxelRuns::of(const VoxelReturns& returns, std::size_t begin, std::uint64_t most) {
+  const std::size_t count = std::min(kChunk, returns.count - begin);
+  fix(returns, begin, count);
+  return {runs_.data(), runs_.data() + makeKeys(join(count, most))};
 }
 
 }  // namespace toss

@@ -3,19 +3,9 @@
 
 #include <toss/mapping/VoxelMap.h>
 
+#include <array>
+
 namespace toss {
-
-/// Neighbouring returns of a scan that lie in one voxel and have one owner, summed up.
-struct VoxelRun {
-  VoxelRun() = default;
-  VoxelRun(VoxelKey key, std::uint32_t ownerOfAll) : owner(ownerOfAll) { sum.key = key; }
-
-  /// Members as in VoxelContribution.
-  VoxelContribution sum;
-  std::uint32_t owner = 0;
-  /// Places: of the first of them, and behind the last that counts.
-  std::uint32_t begin = 0, end = 0;
-};
 
 /// Returns of one call as the voxels see them: lends the caller's buffers.
 struct VoxelReturns {
@@ -38,10 +28,36 @@ struct VoxelReturns {
   const std::int32_t* owner = nullptr;
 };
 
-/// Appends the runs of the returns at places [begin, end), each at most `cap` returns long; what is
-/// beyond `cap` in a row is dropped. Returns how many were left out because they are not finite or
-/// out of reach.
-std::size_t appendRuns(const VoxelReturns& returns, std::size_t begin, std::size_t end,
-                       std::uint32_t cap, std::vector<VoxelRun>& runs);
+/// Sums neighbouring returns of a scan that lie in one voxel and have one owner, chunk after chunk:
+/// all that one chunk needs stays in the first-level cache. Too large to be made often.
+class VoxelRuns {
+ public:
+  /// Returns of one chunk.
+  static constexpr std::size_t kChunk = 512;
+
+  /// The runs of the returns at places [begin, begin + kChunk) as far as there are, of at most
+  /// `most` returns each, in order of the scan; valid until the next call.
+  RunSpan of(const VoxelReturns& returns, std::size_t begin, std::uint64_t most);
+  /// Returns of the calls so far that are in no run because they are not finite or out of reach.
+  std::size_t leftOut() const { return leftOut_; }
+
+ private:
+  using Words = std::array<std::uint64_t, kChunk>;
+
+  void fix(const VoxelReturns& returns, std::size_t begin, std::size_t count);
+  void markOutOfReach(std::size_t count);
+  void setOwners(const VoxelReturns& returns, std::size_t begin, std::size_t count);
+  std::size_t join(std::size_t count, std::uint64_t most);
+  std::size_t makeKeys(std::size_t count);
+
+  /// Fixed-point coordinates.
+  Words x_, y_, z_;
+  /// Of each return: index of its voxel, x, y, z of 21 bits each, or one that no return has; the
+  /// other words as in VoxelRun.
+  Words voxel_, countAndOffsets_, ownerAndIntensity_;
+  /// Their keys are such indices until makeKeys().
+  std::array<VoxelRun, kChunk> runs_;
+  std::size_t leftOut_ = 0;
+};
 
 }  // namespace toss

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bricks and tables as bytes, while they are out of memory.
+// Voxels as bytes, while they are out of memory.
 #include <cstring>
 
-#include "VoxelTable.h"
+#include "VoxelBlocks.h"
 
 namespace toss {
 
@@ -18,44 +18,37 @@ const std::uint8_t* take(const std::uint8_t* bytes, void* to, std::size_t count)
   return bytes + count;
 }
 
+std::uint32_t voxelsIn(std::uint64_t mask) {
+  return static_cast<std::uint32_t>(__builtin_popcountll(mask));
+}
+
 }  // namespace
 
-void VoxelBrick::save(std::vector<std::uint8_t>& bytes) const {
-  append(bytes, &blockMask_, sizeof blockMask_);
-  append(bytes, &size_, sizeof size_);
-  append(bytes, blocks_.get(), countBits(blockMask_) * sizeof(Block));
-  append(bytes, records_.get(), size_ * sizeof(VoxelRecord));
-}
-
-const std::uint8_t* VoxelBrick::restore(const std::uint8_t* bytes) {
-  bytes = take(bytes, &blockMask_, sizeof blockMask_);
-  std::uint32_t size = 0;
-  bytes = take(bytes, &size, sizeof size);
-  reserve(size);
-  size_ = size;
-  const std::size_t blocks = countBits(blockMask_);
-  blocks_.reset(new Block[blocks]);
-  bytes = take(bytes, blocks_.get(), blocks * sizeof(Block));
-  return take(bytes, records_.get(), size_ * sizeof(VoxelRecord));
-}
-
-void VoxelTable::save(std::vector<std::uint8_t>& bytes) const {
+void VoxelBlocks::save(std::vector<std::uint8_t>& bytes) const {
   bytes.clear();
-  for (const VoxelKey key : sortedBricks()) {
-    append(bytes, &key, sizeof key);
-    bricks_.find(key)->second.save(bytes);
+  bytes.reserve(sizeof used_ + 2 * sizeof(VoxelKey) * used_ + sizeof(VoxelRecord) * size_);
+  append(bytes, &used_, sizeof used_);
+  for (const Block& block : slots_) {
+    if (block.key == kNone) continue;
+    append(bytes, &block.key, sizeof block.key);
+    append(bytes, &block.mask, sizeof block.mask);
+    append(bytes, block.records, voxelsIn(block.mask) * sizeof(VoxelRecord));
   }
 }
 
-void VoxelTable::restore(const std::vector<std::uint8_t>& bytes) {
-  const std::uint8_t* next = bytes.data();
-  const std::uint8_t* const end = next + bytes.size();
-  while (next != end) {
+void VoxelBlocks::restore(const std::vector<std::uint8_t>& bytes) {
+  std::size_t blocks = 0;
+  const std::uint8_t* next = take(bytes.data(), &blocks, sizeof blocks);
+  grow(blocks + kBatch);
+  for (; blocks > 0; --blocks) {
     VoxelKey key = 0;
     next = take(next, &key, sizeof key);
-    VoxelBrick& brick = bricks_[key];
-    next = brick.restore(next);
-    size_ += brick.size();
+    Block& block = findOrMake(key);
+    next = take(next, &block.mask, sizeof block.mask);
+    const std::uint32_t voxels = voxelsIn(block.mask);
+    block.records = pool_.take(voxels);
+    next = take(next, static_cast<void*>(block.records), voxels * sizeof(VoxelRecord));
+    size_ += voxels;
   }
 }
 

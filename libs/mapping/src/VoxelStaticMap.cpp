@@ -9,11 +9,10 @@ VoxelStaticMap::VoxelStaticMap(const MappingOptions& options, const Eigen::Vecto
       cap_(static_cast<std::uint32_t>(options.cap)),
       minPoints_(static_cast<std::uint32_t>(options.minPoints)) {}
 
-const std::vector<VoxelContribution>& VoxelStaticMap::bin(const ScanReturns& scan,
-                                                          IndexSpan indices) {
+const std::vector<VoxelRun>& VoxelStaticMap::bin(const ScanReturns& scan, IndexSpan indices) {
   leftOut_ += map_.voxels().bin(scan.level.x, scan.level.y, scan.level.z, scan.intensity,
-                                scan.sensorPosition, indices, cap_, contributions_);
-  return contributions_;
+                                scan.sensorPosition, indices, cap_, runs_);
+  return runs_;
 }
 
 void VoxelStaticMap::addPermanent(const ScanReturns& scan, IndexSpan indices) {

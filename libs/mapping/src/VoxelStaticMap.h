@@ -33,12 +33,12 @@ class VoxelStaticMap : public StaticMap {
   std::size_t leftOut() const override { return leftOut_; }
 
  private:
-  const std::vector<VoxelContribution>& bin(const ScanReturns& scan, IndexSpan indices);
+  const std::vector<VoxelRun>& bin(const ScanReturns& scan, IndexSpan indices);
 
   RevocableMap map_;
   std::uint32_t cap_, minPoints_;
   std::size_t leftOut_ = 0;
-  std::vector<VoxelContribution> contributions_;
+  std::vector<VoxelRun> runs_;
   BinnedReturns binned_;
 };
 

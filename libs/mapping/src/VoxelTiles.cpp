@@ -20,64 +20,67 @@ VoxelTiles::VoxelTiles(double tileVoxels, TileStore* store) : store_(store) {
   shift_ = kBrickShift + 3 * doublings;
 }
 
-std::unique_ptr<VoxelTable> VoxelTiles::loaded(std::uint64_t tile) const {
-  auto table = std::make_unique<VoxelTable>();
+std::unique_ptr<VoxelBlocks> VoxelTiles::loaded(std::uint64_t tile) const {
+  auto table = std::make_unique<VoxelBlocks>();
   std::vector<std::uint8_t> bytes;
   store_->load(tile, bytes);
   table->restore(bytes);
   return table;
 }
 
-VoxelTiles::Tile& VoxelTiles::tileOf(VoxelKey key) {
+VoxelBlocks& VoxelTiles::blocksOf(VoxelKey key) {
   const auto [place, isNew] = tiles_.try_emplace(key >> shift_);
   Tile& tile = place->second;
   if (isNew)
-    tile.table = std::make_unique<VoxelTable>();
-  else if (!tile.table)
-    tile.table = loaded(place->first);
+    tile.blocks = std::make_unique<VoxelBlocks>();
+  else if (!tile.blocks)
+    tile.blocks = loaded(place->first);
   tile.needed = calls_;
-  return tile;
+  return *tile.blocks;
 }
 
-void VoxelTiles::groupByBrick(const ContributionSpan* first, const ContributionSpan* last) {
-  groups_.clear();
-  for (const ContributionSpan* span = first; span != last; ++span)
-    for (const VoxelContribution* next = span->begin; next != span->end;) {
-      VoxelBrick::Group& group = groups_.emplace_back(VoxelBrick::Group{next, next});
-      const VoxelKey brick = next->key >> kBrickShift;
-      while (next != span->end && next->key >> kBrickShift == brick) ++next;
-      group.end = next;
-    }
-  std::sort(groups_.begin(), groups_.end(), [](const auto& a, const auto& b) {
-    return a.begin->key >> kBrickShift < b.begin->key >> kBrickShift;
-  });
-}
-
-void VoxelTiles::add(const ContributionSpan* first, const ContributionSpan* last) {
-  groupByBrick(first, last);
-  std::array<VoxelTable::Addition, kBatch> batch;
+void VoxelTiles::add(const RunSpan& runs, const std::vector<bool>* without) {
+  std::array<const VoxelRun*, VoxelBlocks::kBatch> batch;
   std::size_t count = 0;
-  std::uint64_t tile = 0;
-  VoxelTable* table = nullptr;
-  const VoxelBrick::Group* const end = groups_.data() + groups_.size();
-  for (const VoxelBrick::Group* group = groups_.data(); group != end;) {
-    const VoxelKey key = group->begin->key;
-    if (!table || key >> shift_ != tile) table = tileOf(key).table.get();
-    tile = key >> shift_;
-    const VoxelBrick::Group* const firstOfBrick = group;
-    while (group != end && group->begin->key >> kBrickShift == key >> kBrickShift) ++group;
-    batch[count++] = {table, firstOfBrick, group, nullptr};
-    if (count < kBatch && group != end) continue;
-    size_ += VoxelTable::add(batch.data(), batch.data() + count);
+  for (const VoxelRun& run : runs) {
+    batch[count] = &run;
+    count += !without || !(*without)[run.owner()];
+    if (count < batch.size()) continue;
+    addBatch(batch.data(), batch.data() + count);
     count = 0;
   }
+  addBatch(batch.data(), batch.data() + count);
+}
+
+void VoxelTiles::addBatch(const VoxelRun* const* first, const VoxelRun* const* last) {
+  std::array<VoxelBlocks::Addition, VoxelBlocks::kBatch> additions;
+  std::size_t count = 0;
+  std::uint64_t tile = ~std::uint64_t{0};
+  VoxelBlocks* blocks = nullptr;
+  while (first != last) {
+    const VoxelKey key = (*first)->key, block = key >> kBlockShift;
+    if (key >> shift_ != tile) {
+      tile = key >> shift_;
+      blocks = &blocksOf(key);
+      blocks->makeRoom();
+    }
+    blocks->prefetch(block);
+    const VoxelRun* const* const firstOfBlock = first;
+    while (first != last && (*first)->key >> kBlockShift == block) ++first;
+    additions[count++] = {blocks, block, firstOfBlock, first, nullptr};
+  }
+  VoxelBlocks::add(additions.data(), additions.data() + count);
 }
 
 void VoxelTiles::subtract(const VoxelSum& sum) {
-  VoxelTable& table = *tileOf(sum.key).table;
-  const std::size_t before = table.size();
-  table.subtract(sum);
-  size_ -= before - table.size();
+  blocksOf(sum.key).subtract(sum);
+}
+
+std::size_t VoxelTiles::size() const {
+  std::size_t size = 0;
+  for (const auto& [key, tile] : tiles_)
+    size += tile.blocks ? tile.blocks->size() : tile.sizeInStore;
+  return size;
 }
 
 bool VoxelTiles::isFar(std::uint64_t tile, const std::array<double, 3>& place,
@@ -97,23 +100,24 @@ void VoxelTiles::leaveBehind(const std::array<double, 3>& place, double radius) 
   if (shift_ == 63) return;
   ++calls_;
   for (auto& [key, tile] : tiles_) {
-    if (!tile.table || tile.needed + kCallsToStay > calls_ || !isFar(key, place, radius)) continue;
-    tile.table->save(bytes_);
+    if (!tile.blocks || tile.needed + kCallsToStay > calls_ || !isFar(key, place, radius)) continue;
+    tile.blocks->save(bytes_);
     store_->store(key, bytes_);
-    tile.table.reset();
+    tile.sizeInStore = tile.blocks->size();
+    tile.blocks.reset();
   }
 }
 
 std::size_t VoxelTiles::tilesInMemory() const {
   return static_cast<std::size_t>(
       std::count_if(tiles_.begin(), tiles_.end(),
-                    [](const auto& entry) { return entry.second.table != nullptr; }));
+                    [](const auto& entry) { return entry.second.blocks != nullptr; }));
 }
 
 std::size_t VoxelTiles::bytes() const {
   std::size_t bytes = 0;
   for (const auto& [key, tile] : tiles_)
-    if (tile.table) bytes += tile.table->bytes();
+    if (tile.blocks) bytes += tile.blocks->bytes();
   return bytes;
 }
 

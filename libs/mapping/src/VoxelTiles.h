@@ -6,7 +6,7 @@
 #include <array>
 #include <map>
 
-#include "VoxelTable.h"
+#include "VoxelBlocks.h"
 
 namespace toss {
 
@@ -18,22 +18,22 @@ class VoxelTiles {
   /// `store`: outlives this object; nullptr = everything stays in memory.
   VoxelTiles(double tileVoxels, TileStore* store);
 
-  /// Adds contributions of several spans together: brick after brick.
-  void add(const ContributionSpan* first, const ContributionSpan* last);
+  /// Adds runs, but those of the owners that `without` marks where it is given.
+  void add(const RunSpan& runs, const std::vector<bool>* without);
   /// Takes one sum back; std::logic_error where it was never added.
   void subtract(const VoxelSum& sum);
   /// Puts tiles into the store that are farther than `radius` from `place` (both in voxels, counted
   /// from the first voxel) and were not needed in the last calls.
   void leaveBehind(const std::array<double, 3>& place, double radius);
 
-  std::size_t size() const { return size_; }
+  std::size_t size() const;
   /// Calls `visit(const VoxelSum&)` for each voxel by ascending key. Tiles of the store are loaded
   /// one after another and dropped again.
   template <typename Visit>
   void visit(Visit&& visit) const {
     for (const auto& [key, tile] : tiles_) {
-      if (tile.table)
-        tile.table->visit(visit);
+      if (tile.blocks)
+        tile.blocks->visit(visit);
       else
         loaded(key)->visit(visit);
     }
@@ -47,16 +47,15 @@ class VoxelTiles {
  private:
   struct Tile {
     /// nullptr = in the store.
-    std::unique_ptr<VoxelTable> table;
+    std::unique_ptr<VoxelBlocks> blocks;
+    /// Voxels of it while it is there.
+    std::size_t sizeInStore = 0;
     /// Call of leaveBehind() before which it was needed last.
     std::uint64_t needed = 0;
   };
-  /// Bricks that are looked up together, so that the memory answers many questions at a time.
-  static constexpr std::size_t kBatch = 32;
-  Tile& tileOf(VoxelKey key);
-  /// Fills groups_: the contributions that go to one brick each, by ascending brick.
-  void groupByBrick(const ContributionSpan* first, const ContributionSpan* last);
-  std::unique_ptr<VoxelTable> loaded(std::uint64_t tile) const;
+  VoxelBlocks& blocksOf(VoxelKey key);
+  void addBatch(const VoxelRun* const* first, const VoxelRun* const* last);
+  std::unique_ptr<VoxelBlocks> loaded(std::uint64_t tile) const;
   bool isFar(std::uint64_t tile, const std::array<double, 3>& place, double radius) const;
 
   /// Bits of a key below those that name the tile.
@@ -64,10 +63,8 @@ class VoxelTiles {
   TileStore* store_;
   /// By the upper bits of their keys: order of tiles is order of keys.
   std::map<std::uint64_t, Tile> tiles_;
-  std::size_t size_ = 0;
   std::uint64_t calls_ = 0;
   std::vector<std::uint8_t> bytes_;
-  std::vector<VoxelBrick::Group> groups_;
 };
 
 }  // namespace toss

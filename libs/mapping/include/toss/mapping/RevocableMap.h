@@ -27,18 +27,18 @@ class RevocableMap {
   /// Puts tiles of the voxels into the store that are far from `position` [m, map frame].
   void leaveBehind(const Eigen::Vector3d& position);
 
-  /// Adds returns that can not move any more: ground, background; by ascending key.
-  void addPermanent(const std::vector<VoxelContribution>& contributions);
-  /// Enters a box with its returns, by ascending key; they are in the map while the box is static.
-  /// Throws std::logic_error for a box that was entered before.
-  void addBox(BoxId box, TrackId track, std::vector<VoxelContribution> contributions, bool dynamic);
-  /// Enters a whole scan: what is permanent, and each owner k > 0 as a box of the number
-  /// firstBox + k without a trace, `dynamic` where dynamic[k]. Takes the contributions of the
-  /// owners out of `binned` and leaves memory of an earlier scan in their place.
+  /// Adds returns that can not move any more: ground, background.
+  void addPermanent(const RunSpan& runs);
+  /// Enters a box with its returns; they are in the map while the box is static. Throws
+  /// std::logic_error for a box that was entered before.
+  void addBox(BoxId box, TrackId track, std::vector<VoxelRun> runs, bool dynamic);
+  /// Enters a whole scan: what is permanent, and each owner k > 0 that has runs as a box of the
+  /// number firstBox + k without a trace, `dynamic` where dynamic[k]. Takes the runs of the owners
+  /// out of `binned` and leaves memory of an earlier scan in their place.
   void addScan(BinnedReturns& binned, const std::vector<bool>& dynamic, BoxId firstBox);
-  /// Adds returns that have no box but go with a trace, by ascending key: as if a static box of
-  /// theirs had been folded.
-  void addToTrack(TrackId track, const std::vector<VoxelContribution>& contributions);
+  /// Adds returns that have no box but go with a trace: as if a static box of theirs had been
+  /// folded.
+  void addToTrack(TrackId track, const RunSpan& runs);
   /// Label of a box that is neither folded nor settled; std::logic_error for other boxes.
   void setDynamic(BoxId box, bool dynamic);
   /// Moves the box's returns to the ledger of its trace: from now on they are static or dynamic

@@ -26,39 +26,49 @@ struct IndexSpan {
   const std::int32_t* end() const { return data + count; }
 };
 
-/// What a set of returns adds to one voxel. Whole numbers only, so that adding and subtracting are
-/// exactly inverse and the order of insertions does not show.
-struct VoxelContribution {
+/// Neighbouring returns of one scan and owner that lie in one voxel, summed. Whole numbers only, so
+/// that adding and subtracting are exactly inverse and the order of insertions does not show. A
+/// scan has many of them, so they are packed into 24 bytes.
+struct VoxelRun {
+  /// Returns that a run can hold, and the greatest owner.
+  static constexpr std::uint64_t kMostReturns = 15, kMostOwner = (1u << 27) - 1;
+
   VoxelKey key = 0;
-  /// Returns counted.
-  std::uint32_t count = 0;
-  /// Sums of the offsets inside the voxel, in 1/65536 of the voxel size.
-  std::uint32_t x = 0, y = 0, z = 0;
-  /// Sum of intensities, in 1/65536 of the unit of the input, each within [0, 65535] units; values
-  /// that are not finite count as 0.
-  std::uint64_t intensity = 0;
+  /// From the top: returns counted (4 bits), and the sums of their offsets x, y, z inside the voxel
+  /// in 1/65536 of the voxel size (20 bits each).
+  std::uint64_t countAndOffsets = 0;
+  /// Owner (28 bits) above the sum of intensities (36 bits) in 1/65536 of the unit of the input,
+  /// each within [0, 65535] units; values that are not finite count as 0.
+  std::uint64_t ownerAndIntensity = 0;
+
+  std::uint64_t count() const { return countAndOffsets >> 60; }
+  std::uint64_t x() const { return countAndOffsets >> 40 & 0xfffff; }
+  std::uint64_t y() const { return countAndOffsets >> 20 & 0xfffff; }
+  std::uint64_t z() const { return countAndOffsets & 0xfffff; }
+  std::uint64_t intensity() const { return ownerAndIntensity & ((std::uint64_t{1} << 36) - 1); }
+  std::size_t owner() const { return static_cast<std::size_t>(ownerAndIntensity >> 36); }
 };
 
-/// Contributions in a row, by ascending key; lent by the caller.
-struct ContributionSpan {
-  const VoxelContribution *begin = nullptr, *end = nullptr;
+/// Runs in a row, in any order; lent by the caller.
+struct RunSpan {
+  const VoxelRun *first = nullptr, *last = nullptr;
+
+  RunSpan() = default;
+  RunSpan(const VoxelRun* begin, const VoxelRun* end) : first(begin), last(end) {}
+  RunSpan(const std::vector<VoxelRun>& all) : first(all.data()), last(first + all.size()) {}
+
+  const VoxelRun* begin() const { return first; }
+  const VoxelRun* end() const { return last; }
 };
 
 /// What the returns of one scan add to the voxels.
 struct BinnedReturns {
-  /// Those of owner 0, by ascending key.
-  std::vector<VoxelContribution> permanent;
-  /// Those of the others, by ascending owner, and by ascending key within each.
-  std::vector<VoxelContribution> contributions;
-  /// Contributions [begin, end) of each owner above 0 that has any, by ascending owner.
-  struct Owner {
-    std::uint32_t owner;
-    std::size_t begin, end;
-  };
-  std::vector<Owner> owners;
+  /// Those of owner 0, and those of the others, in order of the scan.
+  std::vector<VoxelRun> permanent, owned;
 };
 
-/// Contributions to one voxel added up over many scans; members as in VoxelContribution.
+/// What one voxel holds: returns, and the sums of their offsets inside the voxel and intensities,
+/// all as in VoxelRun.
 struct VoxelSum {
   VoxelKey key = 0;
   std::uint32_t count = 0;
@@ -87,31 +97,27 @@ class VoxelMap {
   /// Bins returns into voxels: level coordinates x, y, z [m] (shape [n]; see LevelPoints) plus
   /// `sensorPosition` [m, map frame], of which `indices` are taken. `intensity`: shape [n] or
   /// empty. At most `cap` returns per voxel and call are counted, the first of `indices` first;
-  /// `cap` is within [1, 65535]. Replaces `result`, ordered by key. Returns the number of returns
-  /// left out because they are not finite or out of reach. Throws UserError where the sensor itself
-  /// is. Safe to call from several threads.
+  /// `cap` is within [1, 65535]. Replaces `result`: runs of owner 0, several of which may lie in
+  /// one voxel. Returns the number of returns left out because they are not finite or out of reach.
+  /// Throws UserError where the sensor itself is. Safe to call from several threads.
   std::size_t bin(const std::vector<float>& x, const std::vector<float>& y,
                   const std::vector<float>& z, const std::vector<float>& intensity,
                   const Eigen::Vector3d& sensorPosition, IndexSpan indices, std::uint32_t cap,
-                  std::vector<VoxelContribution>& result) const;
+                  std::vector<VoxelRun>& result) const;
 
   /// The same for all returns of a scan at once, apart by owner: `owner` has shape [n], those below
-  /// 0 are passed over. `cap` holds per voxel and owner.
+  /// 0 are passed over, and none is above VoxelRun::kMostOwner. `cap` holds per voxel and owner.
   std::size_t binByOwner(const std::vector<float>& x, const std::vector<float>& y,
                          const std::vector<float>& z, const std::vector<float>& intensity,
                          const Eigen::Vector3d& sensorPosition,
                          const std::vector<std::int32_t>& owner, std::uint32_t cap,
                          BinnedReturns& result) const;
 
-  /// Adds contributions, by ascending key: all, or [first, last).
-  void add(const std::vector<VoxelContribution>& contributions);
-  void add(const VoxelContribution* first, const VoxelContribution* last);
-  /// Adds several runs of contributions: faster than one after another.
-  void add(const std::vector<ContributionSpan>& spans);
+  /// Adds runs, but those of the owners that `without` marks (by owner) where it is given.
+  void add(const RunSpan& runs, const std::vector<bool>* without = nullptr);
   /// Takes back what was added. Subtracting what was never added is a logic error and throws.
-  void subtract(const std::vector<VoxelContribution>& contributions);
-  void subtract(const ContributionSpan& span);
-  void subtract(const std::vector<VoxelSum>& sums);
+  void subtract(const RunSpan& runs);
+  void subtract(const VoxelSum& sum);
 
   /// Puts tiles into the store that are farther than `radius` [m] from `position` [m, map frame]
   /// and were not needed in the last calls; they come back when they are needed again.
@@ -129,7 +135,7 @@ class VoxelMap {
   void visitPoints(std::uint32_t minCount, const Eigen::Vector3d& offset,
                    const std::function<void(const MapPoint&)>& visit) const;
   double voxelSize() const;
-  /// Bytes held, the table's load and records kept for growth included.
+  /// Bytes held, room for growth included.
   std::size_t bytes() const;
 
  private:

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <utility>
+
+#include "RecordPool.h"
+
+namespace toss {
+
+/// Voxels of a tile in blocks of 4 x 4 x 4: an open-addressing table of the blocks that hold
+/// returns, each with the records of its voxels by ascending key in an array of their own. Runs are
+/// added in any order.
+class VoxelBlocks {
+ public:
+  struct Block {
+    /// Key of its voxels without the bits that name them in the block, kNone where the slot is
+    /// free.
+    VoxelKey key = kNone;
+    /// Voxels that hold returns.
+    std::uint64_t mask = 0;
+    VoxelRecord* records = nullptr;
+  };
+  /// Runs in a row that go to one block.
+  struct Addition {
+    VoxelBlocks* blocks;
+    VoxelKey key;
+    const VoxelRun *const *first, *const *last;
+    /// Set by add().
+    Block* block;
+  };
+  /// Additions that are made together, so that the memory answers many questions at a time.
+  static constexpr std::size_t kBatch = 64;
+
+  /// Makes room for kBatch blocks: add() can come without it moving the others.
+  void makeRoom() {
+    if ((used_ + kBatch) * 3 > slots_.size() * 2) grow(used_ + kBatch);
+  }
+  /// Calls what add() asks first of a block into the cache.
+  void prefetch(VoxelKey block) const { __builtin_prefetch(&slots_[home(block)]); }
+  /// Adds [first, last), at most kBatch, for which there is room.
+  static void add(Addition* first, Addition* last);
+  /// Takes one sum back; std::logic_error where it was never added.
+  void subtract(const VoxelSum& sum);
+
+  /// Voxels that hold returns.
+  std::size_t size() const { return size_; }
+  /// Calls `visit(const VoxelSum&)` for each voxel by ascending key.
+  template <typename Visit>
+  void visit(Visit&& visit) const {
+    for (const Block* block : sortedBlocks()) {
+      const VoxelRecord* record = block->records;
+      for (std::uint64_t left = block->mask; left != 0; left &= left - 1)
+        visit((record++)->sum(block->key << kBlockShift |
+                              static_cast<VoxelKey>(__builtin_ctzll(left))));
+    }
+  }
+  std::size_t bytes() const { return slots_.size() * sizeof(Block) + pool_.bytes(); }
+
+  /// Replaces `bytes` by everything held here, for restore() of an empty object in the same
+  /// program.
+  void save(std::vector<std::uint8_t>& bytes) const;
+  void restore(const std::vector<std::uint8_t>& bytes);
+
+ private:
+  static constexpr VoxelKey kNone = ~VoxelKey{0};
+
+  std::size_t home(VoxelKey block) const {
+    return static_cast<std::size_t>(block * 0x9e3779b97f4a7c15u >> hashShift_);
+  }
+  /// The slot of a block, or the free one that it would take.
+  Block& slotOf(VoxelKey block) {
+    std::size_t slot = home(block);
+    while (slots_[slot].key != block && slots_[slot].key != kNone)
+      slot = (slot + 1) & (slots_.size() - 1);
+    return slots_[slot];
+  }
+  Block& findOrMake(VoxelKey block) {
+    Block& slot = slotOf(block);
+    if (slot.key == kNone) ++used_;
+    slot.key = block;
+    return slot;
+  }
+  std::vector<const Block*> sortedBlocks() const;
+  static void prefetchRecords(const Addition& addition);
+  static void addToRecords(const Addition& addition);
+  /// Makes an empty record of a voxel that has none; `place`: among those of its block.
+  void insert(Block& block, std::uint64_t bit, std::uint32_t place);
+  void erase(Block& block, std::uint64_t bit, std::uint32_t place);
+  void eraseBlock(Block& block);
+  void grow(std::size_t blocks);
+
+  std::vector<Block> slots_;
+  /// Bits of a hash below those that name a slot.
+  int hashShift_ = 64;
+  std::size_t used_ = 0, size_ = 0;
+  RecordPool pool_;
+};
+
+}  // namespace toss
