@@ -32,7 +32,12 @@ struct FeetScene {
   }
   std::vector<BoxClaims::Claim> find(double distance) const {
     std::vector<BoxClaims::Claim> claims;
-    GroundContact(distance).find(points, segmentation, bodies, claims);
+    GroundContact contact(distance);
+    NearbyReturns nearby;
+    contact.take(points, segmentation, bodies);
+    contact.markNearby(nearby);
+    nearby.find(points, segmentation.pointClass);
+    contact.find(points, segmentation, nearby, claims);
     return claims;
   }
 };
@@ -110,8 +115,7 @@ TEST(BoxClaims, NamesTheSmallestOtherBoxAroundAPoint) {
     return BoxClaims::Claimant{box, false};
   };
   BoxClaims claims(0.0, 0.0);
-  std::vector<BoxClaims::Claim> found;
-  claims.find({}, {}, {boxOf(1.0), boxOf(4.0), boxOf(2.0)}, Eigen::Vector3d::Zero(), {}, found);
+  claims.take({boxOf(1.0), boxOf(4.0), boxOf(2.0)}, Eigen::Vector3d::Zero());
   EXPECT_EQ(claims.boxAround({5.0f, 0.2f, 0.0f}, -1), 0);
   EXPECT_EQ(claims.boxAround({5.0f, 0.2f, 0.0f}, 0), 2);
   EXPECT_EQ(claims.boxAround({5.0f, 1.8f, 0.0f}, 2), 1);

@@ -2,9 +2,7 @@
 #include "BoxClaims.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 
 namespace toss {
@@ -31,6 +29,21 @@ std::size_t gridIndex(int row, int column) {
 
 }  // namespace
 
+Eigen::AlignedBox2f BoxClaims::Footprint::extent() const {
+  const float reachX = halfLength * std::fabs(cosYaw) + halfWidth * std::fabs(sinYaw);
+  const float reachY = halfLength * std::fabs(sinYaw) + halfWidth * std::fabs(cosYaw);
+  const Eigen::Vector2f middle(x, y), reach(reachX, reachY);
+  return {middle - reach, middle + reach};
+}
+
+inline bool BoxClaims::Footprint::holds(float px, float py, float pz) const {
+  const float dx = px - x, dy = py - y;
+  // Without branches, as no one could foretell them.
+  return static_cast<bool>((pz >= low) & (pz <= high) &
+                           (std::fabs(cosYaw * dx + sinYaw * dy) <= halfLength) &
+                           (std::fabs(cosYaw * dy - sinYaw * dx) <= halfWidth));
+}
+
 void BoxClaims::enter(const Claimant& claimant, std::int32_t number,
                       const Eigen::Vector3d& sensorPosition) {
   const Box& box = claimant.box;
@@ -45,12 +58,10 @@ void BoxClaims::enter(const Claimant& claimant, std::int32_t number,
   f.halfWidth = static_cast<float>(0.5 * box.width + margin);
   f.low = center.z() - static_cast<float>(0.5 * box.height + kBelowBox);
   f.high = center.z() + static_cast<float>(0.5 * box.height + margin);
-  const float reachX = f.halfLength * std::fabs(f.cosYaw) + f.halfWidth * std::fabs(f.sinYaw);
-  const float reachY = f.halfLength * std::fabs(f.sinYaw) + f.halfWidth * std::fabs(f.cosYaw);
-  const Eigen::Vector2f middle(f.x, f.y), reach(reachX, reachY);
-  if (f.cutsInstances) cutExtent_.extend(middle - reach).extend(middle + reach);
-  for (int row = cellOf(f.x - reachX); row <= cellOf(f.x + reachX); ++row)
-    for (int column = cellOf(f.y - reachY); column <= cellOf(f.y + reachY); ++column) {
+  const Eigen::AlignedBox2f extent = f.extent();
+  const int lastRow = cellOf(extent.max().x()), lastColumn = cellOf(extent.max().y());
+  for (int row = cellOf(extent.min().x()); row <= lastRow; ++row)
+    for (int column = cellOf(extent.min().y()); column <= lastColumn; ++column) {
       if (!isInside(row) || !isInside(column)) continue;
       std::int32_t& head = grid_[gridIndex(row, column)];
       if (head < 0) usedCells_.push_back(gridIndex(row, column));
@@ -59,12 +70,11 @@ void BoxClaims::enter(const Claimant& claimant, std::int32_t number,
     }
 }
 
-void BoxClaims::enterAll(const std::vector<Claimant>& claimants,
-                         const Eigen::Vector3d& sensorPosition) {
+void BoxClaims::take(const std::vector<Claimant>& claimants,
+                     const Eigen::Vector3d& sensorPosition) {
   grid_.resize(static_cast<std::size_t>(kCells) * kCells, -1);
   for (const std::size_t cell : usedCells_) grid_[cell] = -1;
   usedCells_.clear(), entries_.clear();
-  cutExtent_.setEmpty();
   footprints_.resize(claimants.size());
   // Entered last means found first: larger boxes go in before smaller ones.
   std::vector<std::int32_t> order(claimants.size());
@@ -78,36 +88,30 @@ void BoxClaims::enterAll(const std::vector<Claimant>& claimants,
     enter(claimants[static_cast<std::size_t>(number)], number, sensorPosition);
 }
 
-void BoxClaims::collectOutsideInstances(const Segmentation& segmentation) {
-  const PointClass* const pointClass = segmentation.pointClass.data();
-  const float* const height = segmentation.heightAboveGround.data();
-  const auto residue = static_cast<float>(residueHeight_);
-  const std::size_t n = segmentation.pointClass.size();
-  // Eight returns at a time, of most of which none may be claimed.
-  for (std::size_t begin = 0; begin < n; begin += 8) {
-    std::array<std::uint8_t, 8> may{};
-    for (std::size_t i = begin; i < std::min(begin + 8, n); ++i)
-      may[i - begin] = (pointClass[i] == PointClass::Unclustered) |
-                       ((pointClass[i] == PointClass::Ground) & (height[i] > residue));
-    std::uint64_t any;
-    std::memcpy(&any, may.data(), sizeof(any));
-    if (any == 0) continue;
-    for (std::size_t i = 0; i < 8; ++i)
-      if (may[i] != 0) claimable_.push_back(static_cast<std::int32_t>(begin + i));
+void BoxClaims::markNearby(NearbyReturns& nearby) const {
+  for (const Footprint& footprint : footprints_) {
+    nearby.mark(footprint.extent(), NearbyReturns::Of::NoInstance);
+    if (footprint.cutsInstances) nearby.mark(footprint.extent(), NearbyReturns::Of::Instances);
   }
 }
 
-void BoxClaims::collectInInstances(const LevelPoints& points, const Segmentation& segmentation,
-                                   const std::vector<bool>& standing) {
-  for (std::size_t k = 1; k < standing.size(); ++k) {
-    if (!standing[k]) continue;
-    for (std::int32_t m = segmentation.memberBegin[k - 1]; m < segmentation.memberBegin[k]; ++m) {
-      const std::int32_t point = segmentation.members[static_cast<std::size_t>(m)];
-      const auto i = static_cast<std::size_t>(point);
-      if (cutExtent_.contains(Eigen::Vector2f(points.x[i], points.y[i])))
-        claimable_.push_back(point);
-    }
+/// Without branches, as no one could foretell on which side of the residue's height a return lies.
+void BoxClaims::pickClaimable(const Segmentation& segmentation, const NearbyReturns& nearby,
+                              const std::vector<bool>& standing) {
+  const auto residue = static_cast<float>(residueHeight_);
+  claimable_.resize(nearby.size());
+  std::size_t count = 0;
+  for (const std::int32_t point : nearby) {
+    const auto i = static_cast<std::size_t>(point);
+    const PointClass pointClass = segmentation.pointClass[i];
+    claimable_[count] = point;
+    count += static_cast<std::size_t>(
+        (pointClass == PointClass::Unclustered) |
+        ((pointClass == PointClass::Ground) & (segmentation.heightAboveGround[i] > residue)) |
+        ((pointClass == PointClass::Instance) &
+         standing[static_cast<std::size_t>(segmentation.instance[i])]));
   }
+  claimable_.resize(count);
 }
 
 std::int32_t BoxClaims::claimOf(float x, float y, float z, bool fromInstance,
@@ -119,21 +123,15 @@ std::int32_t BoxClaims::claimOf(float x, float y, float z, bool fromInstance,
     const std::int32_t box = entries_[static_cast<std::size_t>(e)].box;
     const Footprint& f = footprints_[static_cast<std::size_t>(box)];
     if ((fromInstance && !f.cutsInstances) || box == except) continue;
-    const float dx = x - f.x, dy = y - f.y;
-    if (z >= f.low && z <= f.high && std::fabs(f.cosYaw * dx + f.sinYaw * dy) <= f.halfLength &&
-        std::fabs(f.cosYaw * dy - f.sinYaw * dx) <= f.halfWidth)
-      return box;
+    if (f.holds(x, y, z)) return box;
   }
   return -1;
 }
 
 void BoxClaims::find(const LevelPoints& points, const Segmentation& segmentation,
-                     const std::vector<Claimant>& claimants, const Eigen::Vector3d& sensorPosition,
-                     const std::vector<bool>& standing, std::vector<Claim>& claims) {
-  enterAll(claimants, sensorPosition);
-  claimable_.clear();
-  collectOutsideInstances(segmentation);
-  if (!cutExtent_.isEmpty()) collectInInstances(points, segmentation, standing);
+                     const NearbyReturns& nearby, const std::vector<bool>& standing,
+                     std::vector<Claim>& claims) {
+  pickClaimable(segmentation, nearby, standing);
   claims.clear();
   for (const std::int32_t point : claimable_) {
     const auto i = static_cast<std::size_t>(point);

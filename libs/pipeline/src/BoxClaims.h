@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "NearbyReturns.h"
+
 namespace toss {
 
 /// Finds the box that claims a return (spec sections 10.2, 10.3, 10.9 and 10.11): sparse returns,
@@ -33,15 +35,17 @@ class BoxClaims {
     std::int32_t point, claimant;
   };
 
-  /// Replaces `claims` by those of all returns, outside instances first; the smallest box
-  /// wins.
-  /// `sensorPosition`: origin of the level frame in the map. `standing`: whether instance k may be
-  /// cut, shape [instanceCount + 1].
+  /// Takes the boxes of a scan. `sensorPosition`: origin of the level frame in the map.
+  void take(const std::vector<Claimant>& claimants, const Eigen::Vector3d& sensorPosition);
+  /// Marks where returns lie that the boxes may claim.
+  void markNearby(NearbyReturns& nearby) const;
+  /// Replaces `claims` by those of all returns that were found nearby; the smallest box wins.
+  /// `standing`: whether instance k may be cut, shape [instanceCount + 1].
   void find(const LevelPoints& points, const Segmentation& segmentation,
-            const std::vector<Claimant>& claimants, const Eigen::Vector3d& sensorPosition,
-            const std::vector<bool>& standing, std::vector<Claim>& claims);
+            const NearbyReturns& nearby, const std::vector<bool>& standing,
+            std::vector<Claim>& claims);
 
-  /// Smallest box of the last find() that holds the point [m, level frame], leaving out the box of
+  /// Smallest box that holds the point [m, level frame], leaving out the box of
   /// claimant `except`; -1 = none.
   std::int32_t boxAround(const Eigen::Vector3f& point, std::int32_t except) const;
 
@@ -50,22 +54,23 @@ class BoxClaims {
   struct Footprint {
     float x, y, cosYaw, sinYaw, halfLength, halfWidth, low, high;
     bool cutsInstances;
+
+    /// The rectangle along the axes around it.
+    Eigen::AlignedBox2f extent() const;
+    /// Whether it holds a point of the level frame.
+    bool holds(float px, float py, float pz) const;
   };
   /// Entry of a grid cell's list of boxes.
   struct Entry {
     std::int32_t box, next;
   };
-  void enterAll(const std::vector<Claimant>& claimants, const Eigen::Vector3d& sensorPosition);
   void enter(const Claimant& claimant, std::int32_t number, const Eigen::Vector3d& sensorPosition);
-  void collectOutsideInstances(const Segmentation& segmentation);
-  void collectInInstances(const LevelPoints& points, const Segmentation& segmentation,
-                          const std::vector<bool>& standing);
+  void pickClaimable(const Segmentation& segmentation, const NearbyReturns& nearby,
+                     const std::vector<bool>& standing);
   std::int32_t claimOf(float x, float y, float z, bool fromInstance, std::int32_t except) const;
 
   double margin_, residueHeight_;
   std::vector<Footprint> footprints_;
-  /// Holds all footprints that cut instances; level frame [m].
-  Eigen::AlignedBox2f cutExtent_;
   /// First entry of each cell, -1 where there is none, shape [kCells * kCells].
   std::vector<std::int32_t> grid_;
   std::vector<Entry> entries_;

@@ -7,10 +7,14 @@
 namespace toss {
 namespace {
 
-const Track* findTrack(const std::vector<Track>& tracks, TrackId id) {
-  const auto found = std::lower_bound(tracks.begin(), tracks.end(), id,
-                                      [](const Track& t, TrackId wanted) { return t.id < wanted; });
-  return found != tracks.end() && found->id == id ? &*found : nullptr;
+/// Index in tracker.tracks() of the trace of each detection, -1 = none.
+std::vector<std::int32_t> tracesOf(const std::vector<Detection>& detections,
+                                   const Tracker& tracker) {
+  std::vector<std::int32_t> traces(detections.size(), -1);
+  for (std::size_t t = 0; t < tracker.tracks().size(); ++t)
+    if (const Track& track = tracker.tracks()[t]; track.updated())
+      traces[static_cast<std::size_t>(track.detection)] = static_cast<std::int32_t>(t);
+  return traces;
 }
 
 /// Whether a trace moves, or may turn out to have moved when more of it has been seen.
@@ -43,30 +47,31 @@ void RecordBuilder::addInstances(const std::vector<Detection>& detections, const
 void RecordBuilder::addClaims(const SegmentedScan& segmented,
                               const std::vector<Detection>& detections, const Tracker& tracker,
                               ScanRecord& record) {
-  std::vector<bool> standing(record.owners.size());
-  for (std::size_t k = 1; k < standing.size(); ++k) {
-    const Track* track = findTrack(tracker.tracks(), record.owners[k].track);
-    standing[k] = track == nullptr || !isDynamic(track->motion);
-  }
+  std::vector<bool> standing(record.owners.size(), true);
   std::vector<BoxClaims::Claimant> claimants;
   std::vector<GroundContact::Body> bodies;
+  claimants.reserve(tracker.tracks().size()), bodies.reserve(tracker.tracks().size());
   for (const Track& track : tracker.tracks()) {
-    if (track.updated())
-      bodies.push_back({detections[static_cast<std::size_t>(track.detection)].instance,
-                        static_cast<std::int32_t>(claimants.size())});
+    if (track.updated()) {
+      const Detection& detection = detections[static_cast<std::size_t>(track.detection)];
+      bodies.push_back({detection.instance, static_cast<std::int32_t>(claimants.size())});
+      if (isDynamic(track.motion)) standing[static_cast<std::size_t>(detection.instance)] = false;
+    }
     // What was seen tells the extent of this scan better than the smoothed estimate.
     claimants.push_back(
         track.updated()
             ? BoxClaims::Claimant{detections[static_cast<std::size_t>(track.detection)].box, false}
             : BoxClaims::Claimant{track.box, mayMove(track)});
-    Owner owner;
-    owner.track = track.id;
-    record.owners.push_back(owner);
+    record.owners.emplace_back().track = track.id;
   }
-  claims_.find(segmented.level, segmented.segmentation, claimants, record.sensorPosition, standing,
-               foundClaims_);
-  foundContacts_.clear();
-  contact_.find(segmented.level, segmented.segmentation, bodies, foundContacts_);
+  nearby_.clear();
+  claims_.take(claimants, record.sensorPosition);
+  claims_.markNearby(nearby_);
+  contact_.take(segmented.level, segmented.segmentation, bodies);
+  contact_.markNearby(nearby_);
+  nearby_.find(segmented.level, segmented.segmentation.pointClass);
+  claims_.find(segmented.level, segmented.segmentation, nearby_, standing, foundClaims_);
+  contact_.find(segmented.level, segmented.segmentation, nearby_, foundContacts_);
   const std::int32_t firstClaim = segmented.segmentation.instanceCount + 1;
   for (const auto* found : {&foundContacts_, &foundClaims_})
     for (const BoxClaims::Claim& claim : *found)
@@ -77,14 +82,13 @@ void RecordBuilder::addClaims(const SegmentedScan& segmented,
 void RecordBuilder::findCompanions(const std::vector<Detection>& detections, const Tracker& tracker,
                                    ScanRecord& record) const {
   const std::vector<Track>& tracks = tracker.tracks();
+  const std::vector<std::int32_t> traces = tracesOf(detections, tracker);
   for (std::size_t d = 0; d < detections.size(); ++d) {
     const Detection& detection = detections[d];
     if (detection.pointCount >= fragmentPoints_) continue;
     Owner& owner = record.owners[static_cast<std::size_t>(detection.instance)];
-    const Track* own = findTrack(tracks, owner.track);
-    const auto except = own != nullptr ? static_cast<std::int32_t>(own - tracks.data()) : -1;
     const Eigen::Vector3f center = (detection.box.center - record.sensorPosition).cast<float>();
-    const std::int32_t around = claims_.boxAround(center, except);
+    const std::int32_t around = claims_.boxAround(center, traces[d]);
     if (around < 0) continue;
     const Track& companion = tracks[static_cast<std::size_t>(around)];
     const bool larger =
@@ -114,9 +118,12 @@ ScanRecord RecordBuilder::build(const PosedScan& scan, const SegmentedScan& segm
   copyIntoSpare(segmented.segmentation.instance, spareOwners_, record.owner);
   copyIntoSpare(segmented.level, spareLevels_, record.level);
   copyIntoSpare(scan.points.intensity, spareIntensities_, record.intensity);
-  record.owners.resize(static_cast<std::size_t>(segmented.segmentation.instanceCount) + 1);
+  const std::size_t instances = static_cast<std::size_t>(segmented.segmentation.instanceCount) + 1;
+  record.owners.reserve(instances + tracker.tracks().size());
+  record.owners.resize(instances);
   addInstances(detections, tracker, record);
   if (claiming_) addClaims(segmented, detections, tracker, record);
+  record.tracks.reserve(tracker.tracks().size());
   for (const Track& track : tracker.tracks())
     record.tracks.push_back(
         {track.id, isDynamic(track.motion), track.updated(), track.box, track.velocity});
@@ -125,17 +132,21 @@ ScanRecord RecordBuilder::build(const PosedScan& scan, const SegmentedScan& segm
 
 std::vector<VotingBox> votingBoxes(const std::vector<Detection>& detections, const Tracker& tracker,
                                    std::int64_t scanNumber, double time) {
+  const std::vector<std::int32_t> traces = tracesOf(detections, tracker);
   std::vector<VotingBox> boxes;
+  boxes.reserve(detections.size());
   for (std::size_t d = 0; d < detections.size(); ++d) {
     const Box& box = detections[d].box;
-    const Track* track = findTrack(tracker.tracks(), tracker.trackOfDetection()[d]);
     VotingBox vote;
     vote.scan = scanNumber;
     vote.time = time;
     vote.center = box.center;
     vote.volume = box.volume();
     vote.extent = std::max(box.length, box.width);
-    if (track != nullptr) vote.track = track->id, vote.speed = track->speed();
+    if (traces[d] >= 0) {
+      const Track& track = tracker.tracks()[static_cast<std::size_t>(traces[d])];
+      vote.track = track.id, vote.speed = track.speed();
+    }
     boxes.push_back(vote);
   }
   return boxes;

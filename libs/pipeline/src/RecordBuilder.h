@@ -41,6 +41,7 @@ class RecordBuilder {
 
   bool claiming_;
   int fragmentPoints_;
+  NearbyReturns nearby_;
   BoxClaims claims_;
   GroundContact contact_;
   std::vector<BoxClaims::Claim> foundClaims_, foundContacts_;

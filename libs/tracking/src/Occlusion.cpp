@@ -28,22 +28,23 @@ class OcclusionCount {
         right_(left_.size()) {}
 
   void countRow(int row) {
+    const std::int32_t* const points = image_.representative.data() + image_.pixel(row, 0);
     // The neighbour of the first column is the last one: the row closes at the rear.
     int previous = image_.columns - 1;
-    while (previous >= 0 && image_.at(row, previous) == RangeImage::kNone) --previous;
+    while (previous >= 0 && points[previous] == RangeImage::kNone) --previous;
     if (previous < 0) return;
-    std::int32_t previousPoint = image_.at(row, previous);
+    Neighbour left = neighbour(points[previous]);
     previous -= image_.columns;
     for (int column = 0; column < image_.columns; ++column) {
-      const std::int32_t point = image_.at(row, column);
-      if (point == RangeImage::kNone) continue;
-      if (column - previous <= kGap + 1) {
-        compare(previousPoint, point);
-      } else {
-        compare(previousPoint, RangeImage::kNone);
-        compare(RangeImage::kNone, point);
+      if (points[column] == RangeImage::kNone) continue;
+      const Neighbour right = neighbour(points[column]);
+      if (column - previous > kGap + 1) {
+        compare(left, Neighbour());
+        compare(Neighbour(), right);
+      } else if (left.instance != right.instance) {
+        compare(left, right);
       }
-      previous = column, previousPoint = point;
+      previous = column, left = right;
     }
   }
 
@@ -51,19 +52,21 @@ class OcclusionCount {
   RunEnds right(std::size_t instance) const { return right_[instance]; }
 
  private:
-  /// Columns grow clockwise: the neighbour in the column before lies to the left.
-  void compare(std::int32_t leftPoint, std::int32_t rightPoint) {
-    const std::size_t leftInstance = instanceOf(leftPoint), rightInstance = instanceOf(rightPoint);
-    if (leftInstance == rightInstance) return;
-    const float difference = rangeOf(rightPoint) - rangeOf(leftPoint);
-    if (leftInstance != 0) right_[leftInstance].count(-difference > kNearer);
-    if (rightInstance != 0) left_[rightInstance].count(difference > kNearer);
+  /// A return, or none.
+  struct Neighbour {
+    std::int32_t point = RangeImage::kNone;
+    std::size_t instance = 0;
+  };
+  Neighbour neighbour(std::int32_t point) const {
+    return {point,
+            static_cast<std::size_t>(segmentation_.instance[static_cast<std::size_t>(point)])};
   }
 
-  std::size_t instanceOf(std::int32_t point) const {
-    return point == RangeImage::kNone
-               ? 0
-               : static_cast<std::size_t>(segmentation_.instance[static_cast<std::size_t>(point)]);
+  /// Columns grow clockwise: the neighbour in the column before lies to the left.
+  void compare(const Neighbour& left, const Neighbour& right) {
+    const float difference = rangeOf(right.point) - rangeOf(left.point);
+    if (left.instance != 0) right_[left.instance].count(-difference > kNearer);
+    if (right.instance != 0) left_[right.instance].count(difference > kNearer);
   }
 
   /// Nothing measured is taken as far away: it hides nothing.
