@@ -21,14 +21,18 @@ struct FeetScene {
     points.x.push_back(x), points.y.push_back(y), points.z.push_back(z);
     segmentation.pointClass.push_back(pointClass);
     segmentation.heightAboveGround.push_back(height);
+    segmentation.instance.push_back(0);
   }
   /// Ends an instance that holds all points from `first` on.
   void endInstance(std::int32_t claimant, std::size_t first) {
     if (segmentation.memberBegin.empty()) segmentation.memberBegin.push_back(0);
-    for (std::size_t i = first; i < points.x.size(); ++i)
+    ++segmentation.instanceCount;
+    for (std::size_t i = first; i < points.x.size(); ++i) {
       segmentation.members.push_back(static_cast<std::int32_t>(i));
+      segmentation.instance[i] = segmentation.instanceCount;
+    }
     segmentation.memberBegin.push_back(static_cast<std::int32_t>(segmentation.members.size()));
-    bodies.push_back({++segmentation.instanceCount, claimant});
+    bodies.push_back({segmentation.instanceCount, claimant});
   }
   std::vector<BoxClaims::Claim> find(double distance) const {
     std::vector<BoxClaims::Claim> claims;
