@@ -18,23 +18,39 @@ TEST(VoxelKey, RoundTripIncludesTheEndsAndNegativeIndices) {
   }
 }
 
-TEST(VoxelKey, VoxelsOfABlockAreNextToEachOther) {
-  const VoxelKey first = voxelKey(-4, 8, 0);
-  EXPECT_EQ(voxelKey(-4, 8, 3), first + 3);
-  EXPECT_EQ(voxelKey(-1, 11, 3), first + 63);
-  EXPECT_NE(voxelKey(-4, 8, 4) >> 6, first >> 6);
+TEST(VoxelKey, CubesBeginAtTheirFirstVoxel) {
+  EXPECT_EQ(cubeOf(voxelKey(-1, 11, 2), 2), voxelKey(-4, 8, 0));
+  EXPECT_EQ(cubeOf(voxelKey(-1, 11, 2), 4), voxelKey(-16, 0, 0));
+  EXPECT_EQ(cubeOf(voxelKey(-1, 11, 2), kVoxelKeyBits), 0u);
 }
 
-TEST(VoxelKey, CubesOfBricksAreRunsOfKeys) {
+TEST(VoxelKey, PlacesInABlockAreXBeforeYBeforeZ) {
+  const VoxelKey block = voxelKey(-4, 8, 1020);
+  std::uint64_t place = 0;
+  for (std::int32_t x = -4; x < 0; ++x)
+    for (std::int32_t y = 8; y < 12; ++y)
+      for (std::int32_t z = 1020; z < 1024; ++z) {
+        EXPECT_EQ(placeInBlock(voxelKey(x, y, z)), place);
+        EXPECT_EQ(voxelInBlock(block, place++), voxelKey(x, y, z));
+      }
+}
+
+TEST(VoxelKey, CubesOfBricksAreRunsOfPlacesInTheMap) {
   for (int cube = 0; cube < 3; ++cube) {
     const int edge = kBrickVoxels << cube;
-    const VoxelKey size = VoxelKey{1} << (kBrickShift + 3 * cube);
-    const VoxelKey first = voxelKey(-edge, 2 * edge, 0);
+    const std::uint64_t size = std::uint64_t{64} << 3 * cube;
+    const std::uint64_t first = placeInMap(voxelKey(-edge, 2 * edge, 0));
     EXPECT_EQ(first % size, 0u);
-    EXPECT_EQ(voxelKey(-1, 3 * edge - 1, edge - 1), first + size - 1);
-    EXPECT_EQ(voxelKey(-edge / 2 - 1, 2 * edge + 1, edge / 2) / size, first / size);
-    EXPECT_NE(voxelKey(0, 2 * edge, 0) / size, first / size);
+    EXPECT_EQ(placeInMap(voxelKey(-4, 3 * edge - 4, edge - 4)), first + size - 1);
+    EXPECT_EQ(placeInMap(voxelKey(-edge / 2 - 4, 2 * edge + 4, edge / 2)) / size, first / size);
+    EXPECT_NE(placeInMap(voxelKey(0, 2 * edge, 0)) / size, first / size);
   }
+}
+
+TEST(VoxelKey, BlocksOfABrickFollowEachOther) {
+  EXPECT_EQ(placeInMap(voxelKey(0, 0, 4)), placeInMap(voxelKey(0, 0, 0)) + 1);
+  EXPECT_EQ(placeInMap(voxelKey(0, 4, 0)), placeInMap(voxelKey(0, 0, 0)) + 4);
+  EXPECT_EQ(placeInMap(voxelKey(4, 0, 0)), placeInMap(voxelKey(0, 0, 0)) + 16);
 }
 
 }  // namespace

@@ -21,10 +21,18 @@ struct Mean {
   Eigen::Vector4d sum = Eigen::Vector4d::Zero();
 };
 
+/// Order of the points of a map.
+struct ByPlace {
+  bool operator()(VoxelKey a, VoxelKey b) const { return place(a) < place(b); }
+  static std::pair<std::uint64_t, std::uint64_t> place(VoxelKey key) {
+    return {placeInMap(cubeOf(key, kBlockBits)), placeInBlock(key)};
+  }
+};
+
 /// Voxels in double precision, straight from the definition.
-std::map<VoxelKey, Mean> bruteForce(const RandomReturns& returns, double voxelSize,
-                                    const Eigen::Vector3d& origin, int cap) {
-  std::map<VoxelKey, Mean> voxels;
+std::map<VoxelKey, Mean, ByPlace> bruteForce(const RandomReturns& returns, double voxelSize,
+                                             const Eigen::Vector3d& origin, int cap) {
+  std::map<VoxelKey, Mean, ByPlace> voxels;
   for (std::size_t i = 0; i < returns.all.size(); ++i) {
     const Eigen::Vector3d p =
         returns.sensorPosition +

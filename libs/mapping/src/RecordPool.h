@@ -12,8 +12,7 @@ namespace toss {
 namespace detail {
 
 /// Records in the arrays of a RecordPool.
-constexpr std::array<std::uint32_t, 12> kPoolCapacities = {0,  1,  2,  4,  6,  8,
-                                                           12, 16, 24, 32, 48, 64};
+constexpr std::array<std::uint32_t, 9> kPoolCapacities = {0, 2, 4, 8, 16, 24, 32, 48, 64};
 
 /// The first of them in which 0 .. 64 records fit.
 constexpr std::array<std::uint8_t, 65> kPoolClasses = [] {

@@ -3,21 +3,18 @@
 
 #include <stdexcept>
 
+#include "ProcessorVariants.h"
+
 namespace toss {
 
 namespace {
 
 std::uint64_t bitOf(VoxelKey key) {
-  return std::uint64_t{1} << (key & ((1u << kBlockShift) - 1));
+  return std::uint64_t{1} << placeInBlock(key);
 }
 
-/// Bits of a word that are set. Processors without an instruction for it are to run the program
-/// too, and a call for each voxel takes longer than this.
 std::uint32_t countBits(std::uint64_t v) {
-  v -= v >> 1 & 0x5555555555555555u;
-  v = (v & 0x3333333333333333u) + (v >> 2 & 0x3333333333333333u);
-  v = (v + (v >> 4)) & 0x0f0f0f0f0f0f0f0fu;
-  return static_cast<std::uint32_t>(v * 0x0101010101010101u >> 56);
+  return static_cast<std::uint32_t>(__builtin_popcountll(v));
 }
 
 [[noreturn]] void throwNeverAdded() {
@@ -26,50 +23,50 @@ std::uint32_t countBits(std::uint64_t v) {
 
 }  // namespace
 
-void VoxelBlocks::prefetchRecords(const Addition& addition) {
-  const Block& block = *addition.block;
-  for (const VoxelRun* const* run = addition.first; run != addition.last; ++run)
-    __builtin_prefetch(block.records + countBits(block.mask & (bitOf((*run)->key) - 1)), 1);
-}
-
-void VoxelBlocks::addToRecords(const Addition& addition) {
-  Block& block = *addition.block;
-  for (const VoxelRun* const* run = addition.first; run != addition.last; ++run) {
-    const std::uint64_t bit = bitOf((*run)->key);
-    const std::uint32_t place = countBits(block.mask & (bit - 1));
-    if ((block.mask & bit) == 0) addition.blocks->insert(block, bit, place);
-    block.records[place].add(**run);
-  }
-}
-
+TOSS_ALSO_FOR_AVX2
 void VoxelBlocks::add(Addition* first, Addition* last) {
   for (Addition* addition = first; addition != last; ++addition) {
     addition->block = &addition->blocks->findOrMake(addition->key);
-    prefetchRecords(*addition);
+    const Block block = *addition->block;
+    for (const VoxelRun* run = addition->first; run != addition->last; ++run)
+      __builtin_prefetch(block.records + countBits(block.mask & (bitOf(run->key) - 1)), 1);
+    // New records may move all the others.
+    if ((addition->voxels & ~block.mask) != 0)
+      for (std::uint32_t i = 0; i < countBits(block.mask); i += 2)
+        __builtin_prefetch(block.records + i, 1);
   }
-  for (const Addition* addition = first; addition != last; ++addition) addToRecords(*addition);
+  for (const Addition* addition = first; addition != last; ++addition) {
+    if (const std::uint64_t added = addition->voxels & ~addition->block->mask)
+      addition->blocks->insert(*addition->block, added);
+    const Block block = *addition->block;
+    for (const VoxelRun* run = addition->first; run != addition->last; ++run)
+      block.records[countBits(block.mask & (bitOf(run->key) - 1))].add(*run);
+  }
 }
 
-void VoxelBlocks::insert(Block& block, std::uint64_t bit, std::uint32_t place) {
-  const std::uint32_t count = countBits(block.mask);
+TOSS_ALSO_FOR_AVX2
+void VoxelBlocks::insert(Block& block, std::uint64_t voxels) {
+  const std::uint32_t count = countBits(block.mask), added = countBits(voxels);
   VoxelRecord* const old = block.records;
-  if (count == RecordPool::capacityFor(count)) {
-    block.records = pool_.take(count + 1);
-    std::copy_n(old, place, block.records);
-    std::copy(old + place, old + count, block.records + place + 1);
-    if (count > 0) pool_.giveBack(old, count);
-  } else {
-    std::copy_backward(old + place, old + count, old + count + 1);
+  const bool moves = count + added > RecordPool::capacityFor(count);
+  if (moves) block.records = pool_.take(count + added);
+  // From the back, so that every record moves straight to its new place.
+  const VoxelRecord* source = old + count;
+  VoxelRecord* target = block.records + count + added;
+  block.mask |= voxels;
+  for (std::uint64_t left = block.mask; left != 0 && target != source;) {
+    const std::uint64_t voxel = std::uint64_t{1} << (63 - __builtin_clzll(left));
+    *--target = (voxels & voxel) != 0 ? VoxelRecord() : *--source;
+    left &= ~voxel;
   }
-  block.records[place] = VoxelRecord();
-  block.mask |= bit;
-  ++size_;
+  if (moves && count > 0) pool_.giveBack(old, count);
+  size_ += added;
 }
 
 void VoxelBlocks::subtract(const VoxelSum& sum) {
   if (sum.count == 0) return;
   if (slots_.empty()) throwNeverAdded();
-  Block& block = slotOf(sum.key >> kBlockShift);
+  Block& block = slotOf(cubeOf(sum.key, kBlockBits));
   const std::uint64_t bit = bitOf(sum.key);
   if ((block.mask & bit) == 0) throwNeverAdded();
   const std::uint32_t place = countBits(block.mask & (bit - 1));
@@ -79,18 +76,18 @@ void VoxelBlocks::subtract(const VoxelSum& sum) {
     throwNeverAdded();
   block.records[place].set({sum.key, s.count - sum.count, s.x - sum.x, s.y - sum.y, s.z - sum.z,
                             s.intensity - sum.intensity});
-  if (s.count == sum.count) erase(block, bit, place);
+  if (s.count == sum.count) erase(block, bit);
 }
 
-void VoxelBlocks::erase(Block& block, std::uint64_t bit, std::uint32_t place) {
-  const std::uint32_t count = countBits(block.mask);
+void VoxelBlocks::erase(Block& block, std::uint64_t voxel) {
+  const std::uint32_t count = countBits(block.mask), place = countBits(block.mask & (voxel - 1));
   VoxelRecord* const old = block.records;
   const bool smaller = RecordPool::capacityFor(count - 1) != RecordPool::capacityFor(count);
   if (smaller && count > 1) block.records = pool_.take(count - 1);
   if (smaller) std::copy_n(old, place, block.records);
   std::copy(old + place + 1, old + count, block.records + place);
   if (smaller) pool_.giveBack(old, count);
-  block.mask &= ~bit;
+  block.mask &= ~voxel;
   --size_;
   if (block.mask == 0) eraseBlock(block);
 }
@@ -121,12 +118,14 @@ void VoxelBlocks::grow(std::size_t blocks) {
 }
 
 std::vector<const VoxelBlocks::Block*> VoxelBlocks::sortedBlocks() const {
+  std::vector<std::pair<std::uint64_t, const Block*>> placed;
+  placed.reserve(used_);
+  for (const Block& block : slots_)
+    if (block.key != kNone) placed.emplace_back(placeInMap(block.key), &block);
+  std::sort(placed.begin(), placed.end());
   std::vector<const Block*> blocks;
   blocks.reserve(used_);
-  for (const Block& block : slots_)
-    if (block.key != kNone) blocks.push_back(&block);
-  std::sort(blocks.begin(), blocks.end(),
-            [](const Block* a, const Block* b) { return a->key < b->key; });
+  for (const auto& [place, block] : placed) blocks.push_back(block);
   return blocks;
 }
 

@@ -9,13 +9,12 @@
 namespace toss {
 
 /// Voxels of a tile in blocks of 4 x 4 x 4: an open-addressing table of the blocks that hold
-/// returns, each with the records of its voxels by ascending key in an array of their own. Runs are
-/// added in any order.
+/// returns, each with the records of its voxels by place in an array of their own. Runs are added
+/// in any order.
 class VoxelBlocks {
  public:
   struct Block {
-    /// Key of its voxels without the bits that name them in the block, kNone where the slot is
-    /// free.
+    /// Its first voxel, kNone where the slot is free.
     VoxelKey key = kNone;
     /// Voxels that hold returns.
     std::uint64_t mask = 0;
@@ -25,7 +24,9 @@ class VoxelBlocks {
   struct Addition {
     VoxelBlocks* blocks;
     VoxelKey key;
-    const VoxelRun *const *first, *const *last;
+    const VoxelRun *first, *last;
+    /// Their voxels, by place in the block.
+    std::uint64_t voxels;
     /// Set by add().
     Block* block;
   };
@@ -45,14 +46,13 @@ class VoxelBlocks {
 
   /// Voxels that hold returns.
   std::size_t size() const { return size_; }
-  /// Calls `visit(const VoxelSum&)` for each voxel by ascending key.
+  /// Calls `visit(const VoxelSum&)` for each voxel in order of the map.
   template <typename Visit>
   void visit(Visit&& visit) const {
     for (const Block* block : sortedBlocks()) {
       const VoxelRecord* record = block->records;
       for (std::uint64_t left = block->mask; left != 0; left &= left - 1)
-        visit((record++)->sum(block->key << kBlockShift |
-                              static_cast<VoxelKey>(__builtin_ctzll(left))));
+        visit((record++)->sum(voxelInBlock(block->key, lowestPlace(left))));
     }
   }
   std::size_t bytes() const { return slots_.size() * sizeof(Block) + pool_.bytes(); }
@@ -65,8 +65,13 @@ class VoxelBlocks {
  private:
   static constexpr VoxelKey kNone = ~VoxelKey{0};
 
+  static std::uint64_t lowestPlace(std::uint64_t voxels) {
+    return static_cast<std::uint64_t>(__builtin_ctzll(voxels));
+  }
+
   std::size_t home(VoxelKey block) const {
-    return static_cast<std::size_t>(block * 0x9e3779b97f4a7c15u >> hashShift_);
+    const std::uint64_t mixed = (block ^ block >> 32) * 0x9e3779b97f4a7c15u;
+    return static_cast<std::size_t>((mixed ^ mixed >> 32) * 0x9e3779b97f4a7c15u >> hashShift_);
   }
   /// The slot of a block, or the free one that it would take.
   Block& slotOf(VoxelKey block) {
@@ -82,11 +87,9 @@ class VoxelBlocks {
     return slot;
   }
   std::vector<const Block*> sortedBlocks() const;
-  static void prefetchRecords(const Addition& addition);
-  static void addToRecords(const Addition& addition);
-  /// Makes an empty record of a voxel that has none; `place`: among those of its block.
-  void insert(Block& block, std::uint64_t bit, std::uint32_t place);
-  void erase(Block& block, std::uint64_t bit, std::uint32_t place);
+  /// Makes empty records of voxels that have none.
+  void insert(Block& block, std::uint64_t voxels);
+  void erase(Block& block, std::uint64_t voxel);
   void eraseBlock(Block& block);
   void grow(std::size_t blocks);
 

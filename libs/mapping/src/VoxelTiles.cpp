@@ -17,7 +17,8 @@ VoxelTiles::VoxelTiles(double tileVoxels, TileStore* store) : store_(store) {
   if (!store || tileVoxels <= 0.0) return;
   int doublings = 0;
   while (kBrickVoxels * std::ldexp(1.0, doublings) < tileVoxels && doublings < 17) ++doublings;
-  shift_ = kBrickShift + 3 * doublings;
+  tileBits_ = kBrickBits + doublings;
+  placeShift_ = 3 * (tileBits_ - kBlockBits);
 }
 
 std::unique_ptr<VoxelBlocks> VoxelTiles::loaded(std::uint64_t tile) const {
@@ -28,9 +29,10 @@ std::unique_ptr<VoxelBlocks> VoxelTiles::loaded(std::uint64_t tile) const {
   return table;
 }
 
-VoxelBlocks& VoxelTiles::blocksOf(VoxelKey key) {
-  const auto [place, isNew] = tiles_.try_emplace(key >> shift_);
+VoxelBlocks& VoxelTiles::blocksOf(VoxelKey firstOfTile) {
+  const auto [place, isNew] = tiles_.try_emplace(placeOf(firstOfTile));
   Tile& tile = place->second;
+  tile.key = firstOfTile;
   if (isNew)
     tile.blocks = std::make_unique<VoxelBlocks>();
   else if (!tile.blocks)
@@ -39,41 +41,60 @@ VoxelBlocks& VoxelTiles::blocksOf(VoxelKey key) {
   return *tile.blocks;
 }
 
-void VoxelTiles::add(const RunSpan& runs, const std::vector<bool>* without) {
-  std::array<const VoxelRun*, VoxelBlocks::kBatch> batch;
-  std::size_t count = 0;
-  for (const VoxelRun& run : runs) {
-    batch[count] = &run;
-    count += !without || !(*without)[run.owner()];
-    if (count < batch.size()) continue;
-    addBatch(batch.data(), batch.data() + count);
-    count = 0;
-  }
-  addBatch(batch.data(), batch.data() + count);
-}
+class VoxelTiles::Adding {
+ public:
+  explicit Adding(VoxelTiles& tiles) : tiles_(tiles) {}
 
-void VoxelTiles::addBatch(const VoxelRun* const* first, const VoxelRun* const* last) {
-  std::array<VoxelBlocks::Addition, VoxelBlocks::kBatch> additions;
-  std::size_t count = 0;
-  std::uint64_t tile = ~std::uint64_t{0};
-  VoxelBlocks* blocks = nullptr;
-  while (first != last) {
-    const VoxelKey key = (*first)->key, block = key >> kBlockShift;
-    if (key >> shift_ != tile) {
-      tile = key >> shift_;
-      blocks = &blocksOf(key);
-      blocks->makeRoom();
+  void add(const VoxelRun* run, const VoxelRun* end) {
+    while (run != end) {
+      const VoxelKey block = cubeOf(run->key, kBlockBits);
+      if (cubeOf(block, tiles_.tileBits_) != tile_) enterTile(block);
+      blocks_->prefetch(block);
+      const VoxelRun* const first = run;
+      std::uint64_t voxels = 0;
+      for (; run != end && cubeOf(run->key, kBlockBits) == block; ++run)
+        voxels |= std::uint64_t{1} << placeInBlock(run->key);
+      batch_[count_++] = {blocks_, block, first, run, voxels, nullptr};
+      if (count_ == batch_.size()) finish();
     }
-    blocks->prefetch(block);
-    const VoxelRun* const* const firstOfBlock = first;
-    while (first != last && (*first)->key >> kBlockShift == block) ++first;
-    additions[count++] = {blocks, block, firstOfBlock, first, nullptr};
   }
-  VoxelBlocks::add(additions.data(), additions.data() + count);
+  void finish() {
+    VoxelBlocks::add(batch_.data(), batch_.data() + count_);
+    count_ = 0;
+    tile_ = kNone;
+  }
+
+ private:
+  static constexpr VoxelKey kNone = ~VoxelKey{0};
+
+  void enterTile(VoxelKey block) {
+    tile_ = cubeOf(block, tiles_.tileBits_);
+    blocks_ = &tiles_.blocksOf(tile_);
+    blocks_->makeRoom();
+  }
+
+  VoxelTiles& tiles_;
+  std::array<VoxelBlocks::Addition, VoxelBlocks::kBatch> batch_;
+  std::size_t count_ = 0;
+  /// Of the run before; there is room in its blocks for the rest of the batch.
+  VoxelKey tile_ = kNone;
+  VoxelBlocks* blocks_ = nullptr;
+};
+
+void VoxelTiles::add(const RunSpan& runs, const std::vector<bool>* without) {
+  Adding adding(*this);
+  const VoxelRun* run = runs.begin();
+  while (run != runs.end()) {
+    const VoxelRun* const first = run;
+    const std::size_t owner = run->owner();
+    while (run != runs.end() && (!without || run->owner() == owner)) ++run;
+    if (!without || !(*without)[owner]) adding.add(first, run);
+  }
+  adding.finish();
 }
 
 void VoxelTiles::subtract(const VoxelSum& sum) {
-  blocksOf(sum.key).subtract(sum);
+  blocksOf(cubeOf(sum.key, tileBits_)).subtract(sum);
 }
 
 std::size_t VoxelTiles::size() const {
@@ -83,10 +104,9 @@ std::size_t VoxelTiles::size() const {
   return size;
 }
 
-bool VoxelTiles::isFar(std::uint64_t tile, const std::array<double, 3>& place,
-                       double radius) const {
-  const double edge = kBrickVoxels * std::ldexp(1.0, (shift_ - kBrickShift) / 3);
-  const std::array<std::int32_t, 3> corner = voxelIndex(tile << shift_);
+bool VoxelTiles::isFar(VoxelKey tile, const std::array<double, 3>& place, double radius) const {
+  const double edge = std::ldexp(1.0, tileBits_);
+  const std::array<std::int32_t, 3> corner = voxelIndex(tile);
   double squared = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double low = static_cast<double>(corner[axis]) + kVoxelReach;
@@ -97,12 +117,13 @@ bool VoxelTiles::isFar(std::uint64_t tile, const std::array<double, 3>& place,
 }
 
 void VoxelTiles::leaveBehind(const std::array<double, 3>& place, double radius) {
-  if (shift_ == 63) return;
+  if (tileBits_ == kVoxelKeyBits) return;
   ++calls_;
-  for (auto& [key, tile] : tiles_) {
-    if (!tile.blocks || tile.needed + kCallsToStay > calls_ || !isFar(key, place, radius)) continue;
+  for (auto& [tilePlace, tile] : tiles_) {
+    if (!tile.blocks || tile.needed + kCallsToStay > calls_ || !isFar(tile.key, place, radius))
+      continue;
     tile.blocks->save(bytes_);
-    store_->store(key, bytes_);
+    store_->store(tilePlace, bytes_);
     tile.sizeInStore = tile.blocks->size();
     tile.blocks.reset();
   }

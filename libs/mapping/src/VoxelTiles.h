@@ -27,15 +27,15 @@ class VoxelTiles {
   void leaveBehind(const std::array<double, 3>& place, double radius);
 
   std::size_t size() const;
-  /// Calls `visit(const VoxelSum&)` for each voxel by ascending key. Tiles of the store are loaded
-  /// one after another and dropped again.
+  /// Calls `visit(const VoxelSum&)` for each voxel in order of the map. Tiles of the store are
+  /// loaded one after another and dropped again.
   template <typename Visit>
   void visit(Visit&& visit) const {
-    for (const auto& [key, tile] : tiles_) {
+    for (const auto& [place, tile] : tiles_) {
       if (tile.blocks)
         tile.blocks->visit(visit);
       else
-        loaded(key)->visit(visit);
+        loaded(place)->visit(visit);
     }
   }
   /// Bytes held in memory.
@@ -46,6 +46,8 @@ class VoxelTiles {
 
  private:
   struct Tile {
+    /// Its first voxel.
+    VoxelKey key = 0;
     /// nullptr = in the store.
     std::unique_ptr<VoxelBlocks> blocks;
     /// Voxels of it while it is there.
@@ -53,15 +55,18 @@ class VoxelTiles {
     /// Call of leaveBehind() before which it was needed last.
     std::uint64_t needed = 0;
   };
-  VoxelBlocks& blocksOf(VoxelKey key);
-  void addBatch(const VoxelRun* const* first, const VoxelRun* const* last);
+  /// Adds runs as they are given, many together.
+  class Adding;
+  VoxelBlocks& blocksOf(VoxelKey firstOfTile);
+  /// Where a tile stands in the map; order of tiles is order of voxels.
+  std::uint64_t placeOf(VoxelKey tile) const { return placeInMap(tile) >> placeShift_; }
   std::unique_ptr<VoxelBlocks> loaded(std::uint64_t tile) const;
-  bool isFar(std::uint64_t tile, const std::array<double, 3>& place, double radius) const;
+  bool isFar(VoxelKey tile, const std::array<double, 3>& place, double radius) const;
 
-  /// Bits of a key below those that name the tile.
-  int shift_ = 63;
+  /// Bits per axis of the voxel in its tile; bits of a block's place in the map below the tile's.
+  int tileBits_ = kVoxelKeyBits, placeShift_ = 63;
   TileStore* store_;
-  /// By the upper bits of their keys: order of tiles is order of keys.
+  /// By placeOf().
   std::map<std::uint64_t, Tile> tiles_;
   std::uint64_t calls_ = 0;
   std::vector<std::uint8_t> bytes_;

@@ -127,8 +127,8 @@ class VoxelMap {
 
   /// Voxels that hold at least `minCount` returns.
   std::size_t size(std::uint32_t minCount = 1) const;
-  /// Centroid and mean intensity of every such voxel, by ascending key; map frame less `offset`
-  /// [m].
+  /// Centroid and mean intensity of every such voxel; map frame less `offset` [m]. Block after
+  /// block in order of placeInMap(), and by placeInBlock() within.
   std::vector<MapPoint> points(std::uint32_t minCount = 1,
                                const Eigen::Vector3d& offset = Eigen::Vector3d::Zero()) const;
   /// The same one by one, in little more memory than that of one tile.
