@@ -7,7 +7,7 @@ packages=(
   g++ cmake ninja-build ccache
   libmrpt-maps-dev libnanoflann-dev
   libopencv-dev libembree-dev libtbb-dev robin-map-dev
-  libcli11-dev nlohmann-json3-dev zlib1g-dev liboctomap-dev
+  libcli11-dev nlohmann-json3-dev zlib1g-dev libdeflate-dev liboctomap-dev
   pkg-config libpcap-dev liblzma-dev liblzf-dev
   libgtest-dev libgmock-dev libbenchmark-dev valgrind
   libgl1-mesa-dri libegl1

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <mrpt/io/CFileGZInputStream.h>
 #include <mrpt/maps/CSimplePointsMap.h>
+#include <tbb/global_control.h>
 #include <toss/rawlog/MetricMapFile.h>
 #include <toss/rawlog/PlyFile.h>
+
+#include <cmath>
 
 #include "InputFixtures.h"
 
@@ -71,6 +74,24 @@ TEST(MetricMapTest, IsReadBackAndTheSameBytesEachTime) {
   EXPECT_EQ(std::memcmp(read.data(), points.data(), points.size() * sizeof(MapPoint)), 0);
   writeMetricMap(folder / "empty.metricmap", {});
   EXPECT_TRUE(readMetricMap(folder / "empty.metricmap").empty());
+}
+
+/// Large enough for several rounds of blocks that are compressed at a time.
+TEST(MetricMapTest, BytesDoNotDependOnThreadsAndAreOneFileForMrpt) {
+  const TemporaryFolder folder;
+  std::vector<MapPoint> points(1'200'000);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto v = static_cast<float>(i);
+    points[i] = {std::sin(v), std::cos(v), 1e-3f * v, 0.5f};
+  }
+  for (const std::size_t threads : {std::size_t{1}, std::size_t{3}}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    writeMetricMap(folder / (std::to_string(threads) + ".metricmap"), points);
+  }
+  EXPECT_TRUE(readBytes(folder / "1.metricmap") == readBytes(folder / "3.metricmap"));
+  const auto read = readMetricMap(folder / "3.metricmap");
+  ASSERT_EQ(read.size(), points.size());
+  EXPECT_EQ(std::memcmp(read.data(), points.data(), points.size() * sizeof(MapPoint)), 0);
 }
 
 TEST(MetricMapTest, TakesOtherPointMaps) {

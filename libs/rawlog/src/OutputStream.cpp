@@ -3,7 +3,6 @@
 
 #include <mrpt/serialization/CArchive.h>
 #include <toss/geometry/Error.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -12,29 +11,27 @@
 #include <stdexcept>
 #include <utility>
 
+#include "GzBlocks.h"
+
 namespace toss {
 
 struct OutputStream::Handle {
-  std::FILE* plain = nullptr;
-  gzFile gz = nullptr;
+  std::FILE* file = nullptr;
+  /// What compresses, nullptr for plain files.
+  std::unique_ptr<GzBlocks> gz;
 
   ~Handle() {
-    if (plain) std::fclose(plain);
-    if (gz) gzclose(gz);
+    if (file) std::fclose(file);
   }
 };
 
 OutputStream::OutputStream(const std::filesystem::path& file, std::string shownAs, Format format)
     : shownAs_(std::move(shownAs)), handle_(std::make_unique<Handle>()) {
   errno = 0;
-  if (format == Format::Gz) {
-    handle_->gz = gzopen(file.c_str(), "wb1");
-    if (handle_->gz) gzbuffer(handle_->gz, 1u << 18);
-  } else {
-    handle_->plain = std::fopen(file.c_str(), "wb");
-    if (handle_->plain) std::setvbuf(handle_->plain, nullptr, _IOFBF, std::size_t{1} << 18);
-  }
-  if (!handle_->gz && !handle_->plain) fail(errno);
+  handle_->file = std::fopen(file.c_str(), "wb");
+  if (!handle_->file) fail(errno);
+  std::setvbuf(handle_->file, nullptr, _IOFBF, std::size_t{1} << 18);
+  if (format == Format::Gz) handle_->gz = std::make_unique<GzBlocks>(handle_->file);
 }
 
 OutputStream::~OutputStream() = default;
@@ -62,36 +59,29 @@ std::size_t OutputStream::Write(const void* buffer, std::size_t count) {
   // Empty vectors have no address, which fwrite does not take.
   if (count == 0) return 0;
   errno = 0;
-  if (handle_->plain) {
-    if (std::fwrite(buffer, 1, count, handle_->plain) != count) fail(errno);
-  } else {
-    constexpr std::size_t kLargest = std::size_t{1} << 30;
-    const char* bytes = static_cast<const char*>(buffer);
-    for (std::size_t done = 0; done < count;) {
-      const auto step = static_cast<unsigned>(std::min(kLargest, count - done));
-      if (gzwrite(handle_->gz, bytes + done, step) != static_cast<int>(step)) fail(errno);
-      done += step;
-    }
-  }
+  const bool written = handle_->gz ? handle_->gz->write(buffer, count)
+                                   : std::fwrite(buffer, 1, count, handle_->file) == count;
+  if (!written) fail(errno);
   position_ += count;
   return count;
 }
 
 std::uint64_t OutputStream::Seek(std::int64_t offset, TSeekOrigin origin) {
-  if (!handle_ || !handle_->plain || origin != sFromBeginning)
+  if (!handle_ || handle_->gz || origin != sFromBeginning)
     throw std::logic_error("OutputStream: seeking works in plain files, from the beginning");
-  if (std::fseek(handle_->plain, static_cast<long>(offset), SEEK_SET) != 0) fail(errno);
+  if (std::fseek(handle_->file, static_cast<long>(offset), SEEK_SET) != 0) fail(errno);
   return static_cast<std::uint64_t>(offset);
 }
 
 void OutputStream::close() {
   if (!handle_) return;
   errno = 0;
-  std::FILE* plain = std::exchange(handle_->plain, nullptr);
-  const gzFile gz = std::exchange(handle_->gz, nullptr);
+  const bool finished = !handle_->gz || handle_->gz->finish();
+  const int error = errno;
+  std::FILE* const file = std::exchange(handle_->file, nullptr);
   handle_.reset();
-  if (plain && std::fclose(plain) != 0) fail(errno);
-  if (gz && gzclose(gz) != Z_OK) fail(errno);
+  if (std::fclose(file) != 0) fail(errno);
+  if (!finished) fail(error);
 }
 
 std::size_t OutputStream::Read(void*, std::size_t) {
