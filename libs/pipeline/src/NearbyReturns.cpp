@@ -36,12 +36,14 @@ std::int32_t squareOf(float x, float y) {
 
 void NearbyReturns::mark(const Eigen::AlignedBox2f& area, Of what) {
   if (area.isEmpty()) return;
-  const std::int32_t last = along(area.max().y()) - along(area.min().y());
+  const std::int32_t width = along(area.max().y()) - along(area.min().y()) + 1;
   const std::int32_t end = squareOf(area.max().x(), area.min().y());
+  const auto bit = static_cast<std::uint8_t>(what);
   for (std::int32_t first = squareOf(area.min().x(), area.min().y()); first <= end;
-       first += kSquares)
-    for (std::int32_t square = first; square <= first + last; ++square)
-      marks_[static_cast<std::size_t>(square)] |= static_cast<std::uint8_t>(what);
+       first += kSquares) {
+    std::uint8_t* const row = marks_.data() + first;
+    for (std::int32_t square = 0; square < width; ++square) row[square] |= bit;
+  }
 }
 
 void NearbyReturns::find(const LevelPoints& points, const std::vector<PointClass>& pointClass) {

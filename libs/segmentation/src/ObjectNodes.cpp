@@ -20,60 +20,67 @@ struct Scan {
   }
 };
 
+/// Nodes as they are added; there is room for one of every point.
+struct NodeList {
+  std::int32_t *point, *column;
+  std::size_t count = 0;
+
+  void add(std::int32_t newPoint, int newColumn) {
+    point[count] = newPoint, column[count] = newColumn;
+    ++count;
+  }
+};
+
 /// Node `first` or later, all of one pixel, on whose surface a return at `range` lies; -1 if none.
-std::int32_t surfaceAt(const RangeImage& image, const std::vector<std::int32_t>& nodes,
-                       std::size_t first, float range, float pixelMerge) {
-  for (std::size_t n = first; n < nodes.size(); ++n) {
-    const float surface = image.range[static_cast<std::size_t>(nodes[n])];
+std::int32_t surfaceAt(const RangeImage& image, const NodeList& nodes, std::size_t first,
+                       float range, float pixelMerge) {
+  for (std::size_t n = first; n < nodes.count; ++n) {
+    const float surface = image.range[static_cast<std::size_t>(nodes.point[n])];
     if (std::abs(range - surface) < pixelMerge) return static_cast<std::int32_t>(n);
   }
   return -1;
 }
 
-void addNode(std::int32_t point, int column, ObjectNodes& result) {
-  result.point.push_back(point);
-  result.column.push_back(column);
-  result.returns.push_back(1);
-}
-
 /// Adds the returns of a pixel: it may hold several surfaces, the edge of one and what is behind.
-void gatherPixel(const Scan& scan, float pixelMerge, int column, std::int32_t head,
+void gatherPixel(const Scan& scan, float pixelMerge, int column, std::int32_t head, NodeList& nodes,
                  ObjectNodes& result) {
-  const std::size_t first = result.size();
+  const std::size_t first = nodes.count;
   for (std::int32_t p = head; p != RangeImage::kNone;
        p = scan.image.next[static_cast<std::size_t>(p)]) {
     const std::size_t i = static_cast<std::size_t>(p);
     if (!scan.isCandidate(i)) continue;
-    const std::int32_t host =
-        surfaceAt(scan.image, result.point, first, scan.image.range[i], pixelMerge);
+    const std::int32_t host = surfaceAt(scan.image, nodes, first, scan.image.range[i], pixelMerge);
     if (host < 0) {
-      addNode(p, column, result);
+      nodes.add(p, column);
       continue;
     }
     result.matePoint.push_back(p);
     result.mateNode.push_back(host);
-    ++result.returns[static_cast<std::size_t>(host)];
   }
 }
 
-void gatherRow(const Scan& scan, float pixelMerge, int row, ObjectNodes& result) {
+void gatherRow(const Scan& scan, float pixelMerge, int row, NodeList& nodes, ObjectNodes& result) {
   const std::int32_t* const heads = scan.image.representative.data() + scan.image.pixel(row, 0);
   const std::int32_t* const next = scan.image.next.data();
   for (int column = 0; column < scan.image.columns; ++column) {
     const std::int32_t head = heads[column];
     if (head == RangeImage::kNone) continue;
     if (next[head] != RangeImage::kNone) {
-      gatherPixel(scan, pixelMerge, column, head, result);
+      gatherPixel(scan, pixelMerge, column, head, nodes, result);
     } else if (scan.isCandidate(static_cast<std::size_t>(head))) {
-      addNode(head, column, result);
+      nodes.add(head, column);
     }
   }
 }
 
 void clear(ObjectNodes& nodes) {
-  nodes.point.clear(), nodes.column.clear(), nodes.returns.clear();
   nodes.rowBegin.assign(1, 0);
   nodes.matePoint.clear(), nodes.mateNode.clear();
+}
+
+void countReturns(ObjectNodes& nodes) {
+  nodes.returns.assign(nodes.size(), 1);
+  for (const std::int32_t node : nodes.mateNode) ++nodes.returns[static_cast<std::size_t>(node)];
 }
 
 void takeCoordinates(const LevelPoints& points, ObjectNodes& nodes) {
@@ -118,11 +125,15 @@ void gatherNodes(const LevelPoints& points, const RangeImage& image,
                  ObjectNodes& result) {
   clear(result);
   const Scan scan{points, image, segmentation};
+  result.point.resize(image.row.size()), result.column.resize(image.row.size());
+  NodeList nodes{result.point.data(), result.column.data()};
   for (int row = 0; row < image.rows; ++row) {
-    gatherRow(scan, pixelMerge, row, result);
-    result.rowBegin.push_back(static_cast<std::int32_t>(result.size()));
+    gatherRow(scan, pixelMerge, row, nodes, result);
+    result.rowBegin.push_back(static_cast<std::int32_t>(nodes.count));
   }
-  const std::size_t n = result.size();
+  const std::size_t n = nodes.count;
+  result.point.resize(n), result.column.resize(n);
+  countReturns(result);
   takeCoordinates(points, result);
   result.range.resize(n);
   findRanges(result.x.data(), result.y.data(), n, result.range.data());

@@ -11,6 +11,7 @@ namespace toss {
 namespace {
 
 constexpr float kPi = 3.14159265358979f;
+constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 constexpr std::size_t kLookUpCells = 4096;
 /// Medians are taken over every so manieth return: good to a tenth of a beam, and cheap.
 constexpr std::size_t kSampling = 8;
@@ -69,11 +70,12 @@ RowSource RowAssignment::assign(const Directions& directions,
                       "name the sensor that recorded it, or set projection.row_source=elevation");
     }
     row = ring;
-    measureElevations(directions, row, elevations);
+    findMedianSlopes(directions, row);
+    measureElevations(elevations);
     return RowSource::Ring;
   }
   if (policy_ == RowPolicy::Automatic && fromOrder(directions, row)) {
-    measureElevations(directions, row, elevations);
+    measureElevations(elevations);
     return RowSource::Order;
   }
   fromElevation(directions, row);
@@ -88,14 +90,17 @@ bool RowAssignment::fromOrder(const Directions& directions, std::vector<std::uin
               row.begin() + static_cast<std::ptrdiff_t>(ringBegin_[ring + 1]),
               static_cast<std::uint16_t>(ring));
   }
-  const std::vector<float> medians = medianSlopes(directions, row, count);
-  for (std::size_t r = 1; r < medians.size(); ++r) {
-    if (!(medians[r] < medians[r - 1])) return false;
+  findMedianSlopes(directions, row);
+  medians_.resize(static_cast<std::size_t>(count));
+  for (std::size_t r = 1; r < medians_.size(); ++r) {
+    if (!(medians_[r] < medians_[r - 1])) return false;
   }
-  const int shift = shiftToTable(medians);
+  const int shift = shiftToTable();
   if (shift > 0) {
     for (std::uint16_t& r : row) r = static_cast<std::uint16_t>(r + shift);
   }
+  medians_.insert(medians_.begin(), static_cast<std::size_t>(shift), kUnknown);
+  medians_.resize(static_cast<std::size_t>(sensor_.rows()), kUnknown);
   return true;
 }
 
@@ -125,13 +130,13 @@ int RowAssignment::findRings(const Directions& directions) {
 }
 
 /// Where rings are missing, they are those that leave the others nearest to the sensor's table.
-int RowAssignment::shiftToTable(const std::vector<float>& medians) const {
+int RowAssignment::shiftToTable() const {
   int best = 0;
   float leastError = std::numeric_limits<float>::infinity();
-  for (std::size_t shift = 0; shift + medians.size() <= sensor_.elevations.size(); ++shift) {
+  for (std::size_t shift = 0; shift + medians_.size() <= sensor_.elevations.size(); ++shift) {
     float error = 0.0f;
-    for (std::size_t r = 0; r < medians.size(); ++r) {
-      error += std::fabs(std::atan(medians[r]) - sensor_.elevations[r + shift]);
+    for (std::size_t r = 0; r < medians_.size(); ++r) {
+      error += std::fabs(std::atan(medians_[r]) - sensor_.elevations[r + shift]);
     }
     if (error < leastError) leastError = error, best = static_cast<int>(shift);
   }
@@ -163,29 +168,22 @@ void RowAssignment::fromEquation(const Directions& directions,
   }
 }
 
-std::vector<float> RowAssignment::medianSlopes(const Directions& directions,
-                                               const std::vector<std::uint16_t>& row, int rows) {
+void RowAssignment::findMedianSlopes(const Directions& directions,
+                                     const std::vector<std::uint16_t>& row) {
   samples_.resize(static_cast<std::size_t>(sensor_.rows()));
   for (std::vector<float>& samples : samples_) samples.clear();
   for (std::size_t i = 0; i < row.size(); i += kSampling) {
     if (directions.valid[i] != 0) samples_[row[i]].push_back(directions.slope[i]);
   }
-  std::vector<float> medians;
-  for (int r = 0; r < rows; ++r) {
-    std::vector<float>& samples = samples_[static_cast<std::size_t>(r)];
-    const bool enough = samples.size() >= kMinSamples;
-    medians.push_back(enough ? median(samples) : std::numeric_limits<float>::quiet_NaN());
-  }
-  return medians;
+  medians_.clear();
+  for (std::vector<float>& samples : samples_)
+    medians_.push_back(samples.size() >= kMinSamples ? median(samples) : kUnknown);
 }
 
-void RowAssignment::measureElevations(const Directions& directions,
-                                      const std::vector<std::uint16_t>& row,
-                                      std::vector<float>& elevations) {
-  const std::vector<float> medians = medianSlopes(directions, row, sensor_.rows());
+void RowAssignment::measureElevations(std::vector<float>& elevations) const {
   std::vector<float> measured = sensor_.elevations;
-  for (std::size_t r = 0; r < medians.size(); ++r) {
-    if (std::isfinite(medians[r])) measured[r] = std::atan(medians[r]);
+  for (std::size_t r = 0; r < medians_.size(); ++r) {
+    if (std::isfinite(medians_[r])) measured[r] = std::atan(medians_[r]);
   }
   // A table that is not in order would break every search in it.
   if (std::is_sorted(measured.rbegin(), measured.rend())) elevations = measured;

@@ -2,7 +2,6 @@
 #include <toss/segmentation/RowRuns.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace toss {
 namespace {
@@ -61,13 +60,20 @@ void RowRuns::build(const ObjectNodes& nodes, const NodeReaches& shorter, const 
   measure(nodes, shorter);
 }
 
+/// Without branches, as no one could foretell where runs end.
 void RowRuns::cut(std::int32_t first, std::int32_t last) {
-  for (std::int32_t from = first; from < last;) {
-    std::int32_t to = from + 1;
-    while (to < last && linked_[at(to)] != 0) ++to;
-    begin.push_back(from), end.push_back(to);
-    from = to;
+  if (first == last) return;
+  const std::size_t before = begin.size();
+  const auto most = before + static_cast<std::size_t>(last - first);
+  begin.resize(most), end.resize(most);
+  begin[before] = first;
+  std::size_t run = before;
+  for (std::int32_t node = first + 1; node < last; ++node) {
+    end[run] = node, begin[run + 1] = node;
+    run += linked_[at(node)] == 0 ? 1 : 0;
   }
+  end[run] = last;
+  begin.resize(run + 1), end.resize(run + 1);
 }
 
 void RowRuns::measure(const ObjectNodes& nodes, const NodeReaches& nodeReaches) {
@@ -86,11 +92,16 @@ void RowRuns::measure(const ObjectNodes& nodes, const NodeReaches& nodeReaches) 
 
 void RowRuns::measureRun(const ObjectNodes& nodes, const NodeReaches& nodeReaches, std::size_t run,
                          std::size_t first, std::size_t last) {
-  Component whole;
-  float low = std::numeric_limits<float>::max(), far = 0.0f, horizontal = 0.0f, vertical = 0.0f;
-  std::int32_t window = 0;
-  for (std::size_t i = first; i < last; ++i) {
-    whole.merge({nodes.returns[i], nodes.range[i], nodes.x[i], nodes.x[i], nodes.y[i], nodes.y[i]});
+  const auto ofNode = [&](std::size_t i) {
+    return Component{nodes.returns[i], nodes.range[i], nodes.x[i],
+                     nodes.x[i],       nodes.y[i],     nodes.y[i]};
+  };
+  Component whole = ofNode(first);
+  float low = nodes.z[first], far = nodes.range[first];
+  float horizontal = nodeReaches.horizontal[first], vertical = nodeReaches.vertical[first];
+  std::int32_t window = nodeReaches.window[first];
+  for (std::size_t i = first + 1; i < last; ++i) {
+    whole.merge(ofNode(i));
     low = std::min(low, nodes.z[i]);
     far = std::max(far, nodes.range[i]);
     horizontal = std::max(horizontal, nodeReaches.horizontal[i]);

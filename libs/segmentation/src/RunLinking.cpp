@@ -100,31 +100,48 @@ template <bool withSurface>
 void RunLinking::linkNear(Index a, Span others, RunVicinity& vicinity, const Limits& limits,
                           Index shift) {
   constexpr Index kLanes = RunKeys::kLanes;
+  Index root = sets_.find(a);
   for (Index b = others.begin; b < others.end; b += kLanes) {
     std::uint32_t candidates = search_.keys.inVicinity<withSurface>(b, vicinity);
     if (others.end - b < kLanes) candidates &= (1u << (others.end - b)) - 1u;
     while (candidates != 0) {
       const int lane = __builtin_ctz(candidates);
       candidates &= candidates - 1;
-      if (!link(a, b + lane, limits, shift)) continue;
+      if (!link(a, root, b + lane, limits, shift)) continue;
       // Many of the others have become of its set.
-      vicinity.set = RunKeys::ofOwnSet(sets_.find(a));
+      root = sets_.find(a);
+      vicinity.set = RunKeys::ofOwnSet(root);
       candidates &= search_.keys.inVicinity<withSurface>(b, vicinity);
     }
   }
 }
 
 /// Unites two runs if any of their nodes are linked. Returns whether it did.
-bool RunLinking::link(Index a, Index b, const Limits& limits, Index shift) {
-  const Index rootOfA = sets_.find(a), rootOfB = sets_.find(b);
+bool RunLinking::link(Index a, Index rootOfA, Index b, const Limits& limits, Index shift) {
+  const Index rootOfB = sets_.find(b);
   if (rootOfA == rootOfB) return false;
-  const Index p = runs_.begin[at(a)], q = runs_.begin[at(b)];
-  const bool single = (runs_.end[at(a)] - p) + (runs_.end[at(b)] - q) == 2;
-  const bool linked =
-      single ? linkedNodes(at(p), at(q), limits,
-                           std::abs(nodes_.column[at(p)] - shift - nodes_.column[at(q)]))
-             : !apart(a, b, limits) && touches(a, b, limits, shift);
-  return linked && sets_.unite(rootOfA, rootOfB);
+  const Index nodes =
+      (runs_.end[at(a)] - runs_.begin[at(a)]) + (runs_.end[at(b)] - runs_.begin[at(b)]);
+  const bool linked = touchMidway(a, b, limits, shift) ||
+                      (nodes > 2 && !apart(a, b, limits) && touches(a, b, limits, shift));
+  if (linked) sets_.uniteRoots(rootOfA, rootOfB);
+  return linked;
+}
+
+/// Node of a run that lies in a column or, as some columns have none, a little right of it.
+std::size_t RunLinking::nodeNear(Index run, Index column) const {
+  const Index place = runs_.begin[at(run)] + column - runs_.firstColumn[at(run)];
+  return at(std::max(runs_.begin[at(run)], std::min(place, runs_.end[at(run)] - 1)));
+}
+
+/// Whether nodes midway of the columns that two runs share are linked, as they are where surfaces
+/// go on from row to row: this spares most of the searches.
+bool RunLinking::touchMidway(Index a, Index b, const Limits& limits, Index shift) const {
+  const Index left = std::max(runs_.firstColumn[at(a)], runs_.firstColumn[at(b)] + shift);
+  const Index right = std::min(runs_.lastColumn[at(a)], runs_.lastColumn[at(b)] + shift);
+  const Index column = (left + right) / 2;
+  const std::size_t p = nodeNear(a, column), q = nodeNear(b, column - shift);
+  return linkedNodes(p, q, limits, std::abs(nodes_.column[p] - shift - nodes_.column[q]));
 }
 
 bool RunLinking::apart(Index a, Index b, const Limits& limits) const {

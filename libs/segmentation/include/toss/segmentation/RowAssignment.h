@@ -40,13 +40,11 @@ class RowAssignment {
  private:
   bool fromOrder(const Directions& directions, std::vector<std::uint16_t>& row);
   int findRings(const Directions& directions);
-  int shiftToTable(const std::vector<float>& medians) const;
+  int shiftToTable() const;
   void fromElevation(const Directions& directions, std::vector<std::uint16_t>& row) const;
   void fromEquation(const Directions& directions, std::vector<std::uint16_t>& row) const;
-  std::vector<float> medianSlopes(const Directions& directions,
-                                  const std::vector<std::uint16_t>& row, int rows);
-  void measureElevations(const Directions& directions, const std::vector<std::uint16_t>& row,
-                         std::vector<float>& elevations);
+  void findMedianSlopes(const Directions& directions, const std::vector<std::uint16_t>& row);
+  void measureElevations(std::vector<float>& elevations) const;
 
   SensorModel sensor_;
   RowPolicy policy_;
@@ -58,6 +56,8 @@ class RowAssignment {
   /// First return of each ring of a scan in ring order, and the number of returns.
   std::vector<std::size_t> ringBegin_;
   std::vector<std::vector<float>> samples_;
+  /// Median slope of the returns of each row, NaN where there are too few.
+  std::vector<float> medians_;
 };
 
 }  // namespace toss

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace toss {
@@ -36,10 +36,11 @@ class UnionFind {
   bool unite(std::int32_t a, std::int32_t b) {
     a = find(a), b = find(b);
     if (a == b) return false;
-    if (a > b) std::swap(a, b);
-    parent(b) = a;
+    uniteRoots(a, b);
     return true;
   }
+  /// The same for two smallest members of sets that differ.
+  void uniteRoots(std::int32_t a, std::int32_t b) { parent(std::max(a, b)) = std::min(a, b); }
 
  private:
   std::int32_t& parent(std::int32_t i) { return parent_[static_cast<std::size_t>(i)]; }
