@@ -8,7 +8,11 @@ namespace toss {
 std::size_t VoxelBinning::bin(const VoxelReturns& returns, std::uint32_t cap,
                               BinnedReturns& result) {
   std::vector<VoxelRun>* const parts[] = {&result.permanent, &result.owned};
-  for (std::vector<VoxelRun>* part : parts) part->clear();
+  for (std::size_t part : {0, 1}) {
+    parts[part]->clear();
+    // Scans are much alike: memory is taken once.
+    parts[part]->reserve(sizes_[part] + sizes_[part] / 8);
+  }
   crowded_.clear(cap);
   const std::size_t before = runs_.leftOut();
   for (std::size_t begin = 0; begin < returns.count; begin += VoxelRuns::kChunk)
@@ -18,6 +22,7 @@ std::size_t VoxelBinning::bin(const VoxelReturns& returns, std::uint32_t cap,
     }
   const std::size_t leftOut = runs_.leftOut() - before;
   if (crowded_.any()) limitCrowded(returns, result);
+  for (std::size_t part : {0, 1}) sizes_[part] = parts[part]->size();
   return leftOut;
 }
 

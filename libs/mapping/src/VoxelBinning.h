@@ -19,6 +19,8 @@ class VoxelBinning {
 
   VoxelRuns runs_;
   CrowdedVoxels crowded_;
+  /// Runs of the scan before: permanent, owned.
+  std::array<std::size_t, 2> sizes_{};
 };
 
 }  // namespace toss

@@ -17,6 +17,9 @@ std::uint32_t countBits(std::uint64_t v) {
   return static_cast<std::uint32_t>(__builtin_popcountll(v));
 }
 
+/// Of the cache.
+constexpr std::uint32_t kRecordsInLine = 2;
+
 [[noreturn]] void throwNeverAdded() {
   throw std::logic_error("VoxelMap: subtracts what was never added");
 }
@@ -26,13 +29,13 @@ std::uint32_t countBits(std::uint64_t v) {
 TOSS_ALSO_FOR_AVX2
 void VoxelBlocks::add(Addition* first, Addition* last) {
   for (Addition* addition = first; addition != last; ++addition) {
-    addition->block = &addition->blocks->findOrMake(addition->key);
+    addition->block = &addition->blocks->findOrMake(addition->key, addition->hash);
     const Block block = *addition->block;
     for (const VoxelRun* run = addition->first; run != addition->last; ++run)
       __builtin_prefetch(block.records + countBits(block.mask & (bitOf(run->key) - 1)), 1);
     // New records may move all the others.
     if ((addition->voxels & ~block.mask) != 0)
-      for (std::uint32_t i = 0; i < countBits(block.mask); i += 2)
+      for (std::uint32_t i = 0; i < countBits(block.mask); i += kRecordsInLine)
         __builtin_prefetch(block.records + i, 1);
   }
   for (const Addition* addition = first; addition != last; ++addition) {
@@ -66,7 +69,8 @@ void VoxelBlocks::insert(Block& block, std::uint64_t voxels) {
 void VoxelBlocks::subtract(const VoxelSum& sum) {
   if (sum.count == 0) return;
   if (slots_.empty()) throwNeverAdded();
-  Block& block = slotOf(cubeOf(sum.key, kBlockBits));
+  const VoxelKey key = cubeOf(sum.key, kBlockBits);
+  Block& block = slotOf(key, hash(key));
   const std::uint64_t bit = bitOf(sum.key);
   if ((block.mask & bit) == 0) throwNeverAdded();
   const std::uint32_t place = countBits(block.mask & (bit - 1));
@@ -93,12 +97,13 @@ void VoxelBlocks::erase(Block& block, std::uint64_t voxel) {
 }
 
 void VoxelBlocks::eraseBlock(Block& block) {
-  const std::size_t last = slots_.size() - 1;
+  const auto home = [&](const Block& each) { return hash(each.key) >> hashShift_; };
   auto gap = static_cast<std::size_t>(&block - slots_.data());
   // Blocks behind the gap move into it where that is not before their home.
-  for (std::size_t next = (gap + 1) & last; slots_[next].key != kNone; next = (next + 1) & last) {
-    const std::size_t fromHome = (next - home(slots_[next].key)) & last;
-    if (fromHome < ((next - gap) & last)) continue;
+  for (std::size_t next = (gap + 1) & lastSlot_; slots_[next].key != kNone;
+       next = (next + 1) & lastSlot_) {
+    const std::size_t fromHome = (next - home(slots_[next])) & lastSlot_;
+    if (fromHome < ((next - gap) & lastSlot_)) continue;
     slots_[gap] = slots_[next];
     gap = next;
   }
@@ -112,9 +117,10 @@ void VoxelBlocks::grow(std::size_t blocks) {
   while (blocks * 3 > (std::size_t{2} << bits)) ++bits;
   hashShift_ = static_cast<int>(64 - bits);
   std::vector<Block> old(std::size_t{1} << bits);
+  lastSlot_ = old.size() - 1;
   old.swap(slots_);
   for (const Block& block : old)
-    if (block.key != kNone) slotOf(block.key) = block;
+    if (block.key != kNone) slotOf(block.key, hash(block.key)) = block;
 }
 
 std::vector<const VoxelBlocks::Block*> VoxelBlocks::sortedBlocks() const {

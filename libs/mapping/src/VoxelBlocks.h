@@ -24,6 +24,7 @@ class VoxelBlocks {
   struct Addition {
     VoxelBlocks* blocks;
     VoxelKey key;
+    std::uint64_t hash;
     const VoxelRun *first, *last;
     /// Their voxels, by place in the block.
     std::uint64_t voxels;
@@ -37,8 +38,12 @@ class VoxelBlocks {
   void makeRoom() {
     if ((used_ + kBatch) * 3 > slots_.size() * 2) grow(used_ + kBatch);
   }
-  /// Calls what add() asks first of a block into the cache.
-  void prefetch(VoxelKey block) const { __builtin_prefetch(&slots_[home(block)]); }
+  /// Calls what add() asks first of a block into the cache. `hash`: of its key.
+  void prefetch(std::uint64_t hash) const { __builtin_prefetch(&slots_[hash >> hashShift_]); }
+  static std::uint64_t hash(VoxelKey block) {
+    const std::uint64_t mixed = (block ^ block >> 32) * 0x9e3779b97f4a7c15u;
+    return (mixed ^ mixed >> 32) * 0x9e3779b97f4a7c15u;
+  }
   /// Adds [first, last), at most kBatch, for which there is room.
   static void add(Addition* first, Addition* last);
   /// Takes one sum back; std::logic_error where it was never added.
@@ -69,20 +74,16 @@ class VoxelBlocks {
     return static_cast<std::uint64_t>(__builtin_ctzll(voxels));
   }
 
-  std::size_t home(VoxelKey block) const {
-    const std::uint64_t mixed = (block ^ block >> 32) * 0x9e3779b97f4a7c15u;
-    return static_cast<std::size_t>((mixed ^ mixed >> 32) * 0x9e3779b97f4a7c15u >> hashShift_);
-  }
   /// The slot of a block, or the free one that it would take.
-  Block& slotOf(VoxelKey block) {
-    std::size_t slot = home(block);
-    while (slots_[slot].key != block && slots_[slot].key != kNone)
-      slot = (slot + 1) & (slots_.size() - 1);
+  Block& slotOf(VoxelKey block, std::uint64_t hashOfBlock) {
+    std::size_t slot = hashOfBlock >> hashShift_;
+    while (slots_[slot].key != block && slots_[slot].key != kNone) slot = (slot + 1) & lastSlot_;
     return slots_[slot];
   }
-  Block& findOrMake(VoxelKey block) {
-    Block& slot = slotOf(block);
-    if (slot.key == kNone) ++used_;
+  Block& findOrMake(VoxelKey block, std::uint64_t hashOfBlock) {
+    Block& slot = slotOf(block, hashOfBlock);
+    if (slot.key == block) return slot;
+    ++used_;
     slot.key = block;
     return slot;
   }
@@ -96,7 +97,7 @@ class VoxelBlocks {
   std::vector<Block> slots_;
   /// Bits of a hash below those that name a slot.
   int hashShift_ = 64;
-  std::size_t used_ = 0, size_ = 0;
+  std::size_t lastSlot_ = 0, used_ = 0, size_ = 0;
   RecordPool pool_;
 };
 

@@ -43,7 +43,7 @@ void VoxelBlocks::restore(const std::vector<std::uint8_t>& bytes) {
   for (; blocks > 0; --blocks) {
     VoxelKey key = 0;
     next = take(next, &key, sizeof key);
-    Block& block = findOrMake(key);
+    Block& block = findOrMake(key, hash(key));
     next = take(next, &block.mask, sizeof block.mask);
     const std::uint32_t voxels = voxelsIn(block.mask);
     block.records = pool_.take(voxels);

@@ -49,12 +49,13 @@ class VoxelTiles::Adding {
     while (run != end) {
       const VoxelKey block = cubeOf(run->key, kBlockBits);
       if (cubeOf(block, tiles_.tileBits_) != tile_) enterTile(block);
-      blocks_->prefetch(block);
+      const std::uint64_t hash = VoxelBlocks::hash(block);
+      blocks_->prefetch(hash);
       const VoxelRun* const first = run;
       std::uint64_t voxels = 0;
       for (; run != end && cubeOf(run->key, kBlockBits) == block; ++run)
         voxels |= std::uint64_t{1} << placeInBlock(run->key);
-      batch_[count_++] = {blocks_, block, first, run, voxels, nullptr};
+      batch_[count_++] = {blocks_, block, hash, first, run, voxels, nullptr};
       if (count_ == batch_.size()) finish();
     }
   }

@@ -19,28 +19,37 @@ bool belongsInMap(PointClass pointClass, const MappingOptions& options) {
   }
 }
 
-/// Owner of each return that goes into the map, below 0 for the others.
-std::vector<std::int32_t> ownersInMap(const MappingOptions& options, const ScanRecord& record) {
+/// Owner of each return that goes into the map, below 0 for the others. Valid until the next call
+/// of the thread.
+const std::vector<std::int32_t>& ownersInMap(const MappingOptions& options,
+                                             const ScanRecord& record) {
+  // All bits where returns of a class are not kept.
   constexpr std::size_t kClasses = 256;
-  std::array<bool, kClasses> kept;
+  std::array<std::int32_t, kClasses> left;
   for (std::size_t c = 0; c < kClasses; ++c)
-    kept[c] = belongsInMap(static_cast<PointClass>(c), options);
-  std::vector<std::int32_t> owners(record.owner.size());
-  for (std::size_t i = 0; i < owners.size(); ++i) {
-    const bool goes = kept[static_cast<std::size_t>(record.pointClass[i])];
-    owners[i] = goes ? record.owner[i] : -1;
-  }
+    left[c] = belongsInMap(static_cast<PointClass>(c), options) ? 0 : -1;
+  thread_local std::vector<std::int32_t> owners;
+  owners.resize(record.owner.size());
+  for (std::size_t i = 0; i < owners.size(); ++i)
+    owners[i] = record.owner[i] | left[static_cast<std::size_t>(record.pointClass[i])];
   for (const std::int32_t point : record.loneMovers) owners[static_cast<std::size_t>(point)] = -1;
   return owners;
+}
+
+/// Owners that have returns in the map.
+void markMapped(const std::vector<std::int32_t>& ownersInMap, std::vector<Owner>& owners) {
+  std::vector<std::uint8_t> mapped(owners.size() + 1, 0);
+  // The first place is of returns that are left out.
+  for (const std::int32_t owner : ownersInMap) mapped[static_cast<std::size_t>(owner + 1)] = 1;
+  for (std::size_t o = 1; o < owners.size(); ++o) owners[o].mapped = mapped[o + 1] != 0;
 }
 
 }  // namespace
 
 void commitScan(const MappingOptions& options, const std::vector<bool>& movingOwners,
                 ScanRecord& record, BoxId& nextLedger, StaticMap& map) {
-  const std::vector<std::int32_t> owners = ownersInMap(options, record);
-  for (const std::int32_t owner : owners)
-    if (owner > 0) record.owners[static_cast<std::size_t>(owner)].mapped = true;
+  const std::vector<std::int32_t>& owners = ownersInMap(options, record);
+  markMapped(owners, record.owners);
   record.firstLedger = nextLedger;
   nextLedger += record.owners.size();
   map.addScan({record.level, record.intensity, record.sensorPosition}, owners, movingOwners,
