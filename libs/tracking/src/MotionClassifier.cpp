@@ -20,48 +20,63 @@ bool hasLeftItsPlace(const std::vector<TimedBox>& boxes, double demanded) {
   return apart.head<2>().norm() > 0.5 * demanded;
 }
 
-bool movesByTests(const MotionEvidence& evidence, const MotionOptions& options,
-                  double jitterFactor) {
-  const std::vector<TimedBox>& boxes = evidence.recent();
-  if (static_cast<int>(boxes.size()) < options.minHits ||
-      boxes.back().time - boxes.front().time < options.minAge ||
-      evidence.medianHeight() < options.minHeight || evidence.medianExtent() < options.minExtent) {
-    return false;
-  }
-  const double extent = options.extentFactor * evidence.medianExtent();
-  const double demanded = std::max(options.minExcursion, std::min(extent, options.maxExcursion));
-  if (!hasLeftItsPlace(boxes, demanded)) return false;
-  const FaceMotion motion = fitFaceMotion(boxes);
-  return motion.displacement > demanded &&
-         motion.displacement > jitterFactor * (motion.scatter + kRangeNoise) &&
-         motion.displacement >= options.minPathEfficiency * evidence.recentPathLength() &&
-         motion.lagging >= options.faceShare * demanded &&
-         motion.lagging >= options.faceRatio * motion.leading;
-}
+/// The tests of one trace's motion; what they share is found once.
+class MotionTests {
+ public:
+  MotionTests(const MotionEvidence& evidence, const MotionOptions& options)
+      : byTests_(options.rule != MotionRule::AutoMos),
+        moves_(byTests_ ? movesByFaces(evidence, options) : movesByAutoMos(evidence)) {}
 
-bool moves(const MotionEvidence& evidence, const MotionOptions& options, double jitterFactor) {
-  return options.rule == MotionRule::AutoMos ? movesByAutoMos(evidence)
-                                             : movesByTests(evidence, options, jitterFactor);
-}
+  /// Whether the trace moves by more than its jitter times the factor.
+  bool moves(double jitterFactor) const {
+    return moves_ &&
+           (!byTests_ || motion_.displacement > jitterFactor * (motion_.scatter + kRangeNoise));
+  }
+
+ private:
+  /// All tests but that of jitter.
+  bool movesByFaces(const MotionEvidence& evidence, const MotionOptions& options) {
+    const std::vector<TimedBox>& boxes = evidence.recent();
+    if (static_cast<int>(boxes.size()) < options.minHits ||
+        boxes.back().time - boxes.front().time < options.minAge ||
+        evidence.medianHeight() < options.minHeight ||
+        evidence.medianExtent() < options.minExtent) {
+      return false;
+    }
+    const double extent = options.extentFactor * evidence.medianExtent();
+    const double demanded = std::max(options.minExcursion, std::min(extent, options.maxExcursion));
+    if (!hasLeftItsPlace(boxes, demanded)) return false;
+    motion_ = fitFaceMotion(boxes);
+    return motion_.displacement > demanded &&
+           motion_.displacement >= options.minPathEfficiency * evidence.recentPathLength() &&
+           motion_.lagging >= options.faceShare * demanded &&
+           motion_.lagging >= options.faceRatio * motion_.leading;
+  }
+
+  FaceMotion motion_;
+  bool byTests_, moves_;
+};
 
 bool isHidden(const MotionEvidence& evidence, const MotionOptions& options) {
   return options.rule == MotionRule::Tests && evidence.recentHidden() > options.maxHidden;
 }
 
-bool isStrong(const MotionEvidence& evidence, const MotionOptions& options) {
+bool isStrong(const MotionEvidence& evidence, const MotionOptions& options,
+              const MotionTests& tests) {
   return evidence.hits() >= options.strongHits &&
          evidence.excursion() >= std::max(options.strongExtentFactor * evidence.medianExtent(),
                                           options.strongExcursion) &&
-         moves(evidence, options, options.strongJitterFactor);
+         tests.moves(options.strongJitterFactor);
 }
 
 }  // namespace
 
 MotionClass classifyMotion(const MotionEvidence& evidence, const MotionOptions& options) {
-  if (!moves(evidence, options, options.doubtfulJitterFactor)) return MotionClass::Static;
-  if (isHidden(evidence, options) || !moves(evidence, options, options.jitterFactor))
+  const MotionTests tests(evidence, options);
+  if (!tests.moves(options.doubtfulJitterFactor)) return MotionClass::Static;
+  if (isHidden(evidence, options) || !tests.moves(options.jitterFactor))
     return MotionClass::Doubtful;
-  return isStrong(evidence, options) ? MotionClass::Strong : MotionClass::Weak;
+  return isStrong(evidence, options, tests) ? MotionClass::Strong : MotionClass::Weak;
 }
 
 }  // namespace toss

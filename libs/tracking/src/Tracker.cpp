@@ -144,6 +144,8 @@ std::vector<std::size_t> Tracker::Implementation::associateOpen(const Associatio
   AssociationProblem problem;
   problem.gates = gates;
   std::vector<std::size_t> openDetections, openStates;
+  problem.detections.reserve(usable.size()), problem.targets.reserve(states.size());
+  openDetections.reserve(usable.size()), openStates.reserve(states.size());
   for (const std::size_t i : usable) {
     if (stateOfDetection[i] != kNone) continue;
     openDetections.push_back(i);

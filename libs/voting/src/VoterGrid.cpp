@@ -6,14 +6,8 @@
 namespace toss {
 
 namespace {
-constexpr double kLargestCoordinate = 1e9;
 constexpr std::size_t kSmallestCompaction = 32;
 }  // namespace
-
-std::int64_t VoterGrid::coordinate(double metres) const {
-  return static_cast<std::int64_t>(
-      std::clamp(std::floor(metres / cellSize_), -kLargestCoordinate, kLargestCoordinate));
-}
 
 VoterGrid::CellIndex VoterGrid::insert(const Voter& voter) {
   const std::int64_t column = coordinate(voter.center.x());
@@ -38,7 +32,9 @@ void VoterGrid::removeEarliest(CellIndex index) {
   ++cell.first;
   if (cell.first == cell.voters.size()) {
     indexOf_.erase(key(cell.column, cell.row));
-    cell = VoterCell();
+    // Keeps the memory for the next cell of this number.
+    cell.voters.clear(), cell.pending.clear();
+    cell.first = 0, cell.dynamicVoters = 0;
     free_.push_back(index);
   } else if (cell.first >= kSmallestCompaction && 2 * cell.first >= cell.voters.size()) {
     cell.voters.erase(cell.voters.begin(),

@@ -3,7 +3,7 @@
 
 #include <tsl/robin_map.h>
 
-#include <cmath>
+#include <algorithm>
 
 #include "VoteRules.h"
 
@@ -31,7 +31,7 @@ class VoterGrid {
   using CellIndex = std::uint32_t;
 
   /// `cellSize` [m]: also the largest radius that visit() may be asked for.
-  explicit VoterGrid(double cellSize) : cellSize_(cellSize) {}
+  explicit VoterGrid(double cellSize) : cellsPerMetre_(1.0 / cellSize) {}
 
   /// Adds a box that is later than all others, or of the latest scan; returns its cell.
   CellIndex insert(const Voter& voter);
@@ -63,7 +63,13 @@ class VoterGrid {
     return (static_cast<std::uint64_t>(column) << 32) ^
            (static_cast<std::uint64_t>(row) & 0xffffffff);
   }
-  std::int64_t coordinate(double metres) const;
+  /// Number of a cell along one axis. Rounds down by hand: calls of std::floor take long.
+  std::int64_t coordinate(double metres) const {
+    constexpr double kLargest = 1e9;
+    const double cells = std::clamp(metres * cellsPerMetre_, -kLargest, kLargest);
+    const auto towardsZero = static_cast<std::int64_t>(cells);
+    return towardsZero - (cells < static_cast<double>(towardsZero) ? 1 : 0);
+  }
 
   /// The standard hash of a whole number is itself: all cells of a row would share their slot.
   struct Hash {
@@ -73,7 +79,7 @@ class VoterGrid {
     }
   };
 
-  double cellSize_;
+  double cellsPerMetre_;
   tsl::robin_map<std::uint64_t, CellIndex, Hash> indexOf_;
   std::vector<VoterCell> cells_;
   std::vector<CellIndex> free_;
