@@ -6,6 +6,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cstring>
 #include <new>
 
 namespace toss {
@@ -20,17 +21,16 @@ constexpr int kLevel = 1;
 struct GzBlocks::Block {
   Block() : compressor(libdeflate_alloc_compressor(kLevel), &libdeflate_free_compressor) {
     if (!compressor) throw std::bad_alloc();
-    bytes.reserve(kBlockBytes);
     compressed.resize(libdeflate_gzip_compress_bound(compressor.get(), kBlockBytes));
   }
   void compress() {
-    compressedSize = libdeflate_gzip_compress(compressor.get(), bytes.data(), bytes.size(),
+    compressedSize = libdeflate_gzip_compress(compressor.get(), bytes.data(), size,
                                               compressed.data(), compressed.size());
   }
 
   std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor;
-  std::vector<char> bytes, compressed;
-  std::size_t compressedSize = 0;
+  std::vector<char> bytes = std::vector<char>(kBlockBytes), compressed;
+  std::size_t size = 0, compressedSize = 0;
 };
 
 GzBlocks::GzBlocks(std::FILE* file) : file_(file) {}
@@ -41,12 +41,13 @@ bool GzBlocks::write(const void* bytes, std::size_t count) {
   const char* next = static_cast<const char*>(bytes);
   while (count > 0) {
     if (full_ == blocks_.size()) blocks_.push_back(std::make_unique<Block>());
-    std::vector<char>& block = blocks_[full_]->bytes;
-    const std::size_t step = std::min(count, kBlockBytes - block.size());
-    block.insert(block.end(), next, next + step);
+    Block& block = *blocks_[full_];
+    const std::size_t step = std::min(count, kBlockBytes - block.size);
+    std::memcpy(block.bytes.data() + block.size, next, step);
+    block.size += step;
     next += step;
     count -= step;
-    if (block.size() < kBlockBytes) return true;
+    if (block.size < kBlockBytes) return true;
     if (++full_ == kBlocks && !writeBlocks(kBlocks)) return false;
   }
   return true;
@@ -62,7 +63,7 @@ bool GzBlocks::writeBlocks(std::size_t count) {
     if (block.compressedSize == 0 || std::fwrite(block.compressed.data(), 1, block.compressedSize,
                                                  file_) != block.compressedSize)
       return false;
-    block.bytes.clear();
+    block.size = 0;
   }
   written_ = true;
   full_ = 0;
@@ -72,7 +73,7 @@ bool GzBlocks::writeBlocks(std::size_t count) {
 bool GzBlocks::finish() {
   if (blocks_.empty()) blocks_.push_back(std::make_unique<Block>());
   // A file of no bytes is one empty member.
-  const bool rest = full_ < blocks_.size() && !blocks_[full_]->bytes.empty();
+  const bool rest = full_ < blocks_.size() && blocks_[full_]->size > 0;
   const std::size_t count = full_ + (rest || (full_ == 0 && !written_));
   return writeBlocks(count);
 }
