@@ -111,20 +111,5 @@ TEST(GroundContact, OfNoDistanceFindsNothing) {
   EXPECT_TRUE(randomScene().find(0.0).empty());
 }
 
-TEST(BoxClaims, NamesTheSmallestOtherBoxAroundAPoint) {
-  const auto boxOf = [](double edge) {
-    Box box;
-    box.center = {5.0, 0.0, 0.0};
-    box.length = box.width = box.height = edge;
-    return BoxClaims::Claimant{box, false};
-  };
-  BoxClaims claims(0.0, 0.0);
-  claims.take({boxOf(1.0), boxOf(4.0), boxOf(2.0)}, Eigen::Vector3d::Zero());
-  EXPECT_EQ(claims.boxAround({5.0f, 0.2f, 0.0f}, -1), 0);
-  EXPECT_EQ(claims.boxAround({5.0f, 0.2f, 0.0f}, 0), 2);
-  EXPECT_EQ(claims.boxAround({5.0f, 1.8f, 0.0f}, 2), 1);
-  EXPECT_EQ(claims.boxAround({5.0f, 2.2f, 0.0f}, -1), -1);
-}
-
 }  // namespace
 }  // namespace toss::test
