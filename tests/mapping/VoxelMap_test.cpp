@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "RandomReturns.h"
 
@@ -103,6 +104,37 @@ TEST(VoxelMap, CentroidsEqualBruteForceFarFromTheMapsZero) {
 TEST(VoxelMap, CapCountsTheFirstReturnsOfEachVoxel) {
   std::mt19937 random(3);
   expectCentroids(RandomReturns(random, 20000, 0.5f), 0.2, {0, 0, 0}, 7);
+}
+
+TEST(VoxelMap, HoldsTheVoxelsOfItsReturnsAndNoOthers) {
+  std::mt19937 random(5);
+  RandomReturns inside(random, 3000, 4.0f), outside(random, 3000, 4.0f);
+  inside.sensorPosition = outside.sensorPosition = {1e5, -3e4, 12.34};
+  VoxelMap map(0.25, inside.sensorPosition + Eigen::Vector3d(0.1, 0.2, 0.3));
+  const auto runs = bin(map, inside, kNoCap);
+  map.add(runs);
+  const auto keyOf = [&](const RandomReturns& r, std::size_t i) {
+    return map.keyOf({r.level.x[i], r.level.y[i], r.level.z[i]}, r.sensorPosition);
+  };
+  std::set<VoxelKey> expected;
+  for (std::size_t i = 0; i < inside.all.size(); ++i) expected.insert(keyOf(inside, i));
+  std::set<VoxelKey> binned;
+  for (const VoxelRun& run : runs) binned.insert(run.key);
+  EXPECT_EQ(expected, binned);
+  for (int bits = 0; bits <= kBlockBits; ++bits) {
+    std::set<VoxelKey> cubes;
+    for (const VoxelKey key : expected) cubes.insert(cubeOf(key, bits));
+    std::size_t held = 0;
+    for (std::size_t i = 0; i < outside.all.size(); ++i) {
+      const VoxelKey key = keyOf(outside, i);
+      EXPECT_EQ(map.holds(key, bits), cubes.count(cubeOf(key, bits)) == 1);
+      held += map.holds(key, bits);
+    }
+    EXPECT_GT(held, 0u);
+    EXPECT_LT(held, outside.all.size());
+  }
+  map.subtract(runs);
+  for (const VoxelKey key : expected) EXPECT_FALSE(map.holds(key, 0));
 }
 
 TEST(VoxelMap, TinyVoxelsOverALargeExtentAreSortedAlike) {

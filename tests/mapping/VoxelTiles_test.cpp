@@ -56,6 +56,24 @@ void drive(StaticMap& map) {
   });
 }
 
+TEST(VoxelTiles, HoldWhatLiesInTheStoreToo) {
+  Shelf shelf;
+  const auto map = makeStaticMap(smallTiles(), Eigen::Vector3d::Zero(), &shelf);
+  std::vector<VoxelKey> places;
+  driveOutAndBack([&](int number, const RandomReturns& returns) {
+    map->addScan(returns.scan(), std::vector<std::int32_t>(returns.all.size(), 0), {false}, 0);
+    if (number == 0) places.push_back(map->placeOf(returns.scan(), 0));
+    map->leaveBehind(returns.sensorPosition);
+    if (number != 150) return;
+    for (const VoxelKey place : places) EXPECT_TRUE(map->holds(place));
+  });
+  EXPECT_GT(shelf.loaded, 0u);
+  std::mt19937 random(3);
+  RandomReturns nowhere(random, 1, 4.0f);
+  nowhere.sensorPosition = {5000.0, 0.0, 0.0};
+  EXPECT_FALSE(map->holds(map->placeOf(nowhere.scan(), 0)));
+}
+
 TEST(VoxelTiles, LeavingBehindDoesNotShow) {
   Shelf shelf;
   const auto tiled = makeStaticMap(smallTiles(), {0, 0, 0}, &shelf);

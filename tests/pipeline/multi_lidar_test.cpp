@@ -82,11 +82,14 @@ PipelineOptions optionsWithVoxels(double size) {
   return options;
 }
 
+/// But for residue, of which all LiDARs together say whether anything else was in its place.
 TEST(MultiLidar, GivesEachLidarTheLabelsThatItHasAlone) {
   const auto scans = scansOfBoth(15);
-  const BothRun both = runOfBoth(scans, {});
-  const PipelineRun front = runOfOne(scans, kFront, "VLP-16", {});
-  const PipelineRun rear = runOfOne(scans, kRear, "OS1-64", {});
+  PipelineOptions options;
+  options.decision.residueMargin = 0.0;
+  const BothRun both = runOfBoth(scans, options);
+  const PipelineRun front = runOfOne(scans, kFront, "VLP-16", options);
+  const PipelineRun rear = runOfOne(scans, kRear, "OS1-64", options);
   ASSERT_EQ(both.settled.size(), scans.size());
   std::size_t moving[2] = {0, 0};
   for (std::size_t i = 0; i < scans.size(); ++i) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <array>
+#include <iterator>
+#include <set>
 
 #include "SimulatedScans.h"
 
@@ -80,6 +82,40 @@ TEST(PipelineMap, OfSettledScansStaysAsTheLabelsSay) {
   const PipelineRun run = runOf(crossingScans(45), options);
   ASSERT_EQ(run.settled.size(), 45u);
   EXPECT_EQ(run.pipeline->staticMap().size(), staticReturns(run.settled));
+}
+
+/// Every static return lies in a voxel of the map, and every voxel has one: what movers stood on is
+/// told from them by this.
+TEST(PipelineMap, HasTheVoxelsOfTheStaticReturns) {
+  PipelineOptions options;
+  options.mapping.keepBelowGround = true;
+  options.mapping.voxelSize = 0.2;
+  const auto scans = crossingScans(40);
+  const PipelineRun run = runOf(scans, options);
+  const Eigen::Vector3d origin = scans.front().scan.mapFromSensor.translation();
+  const auto voxelOf = [&](const Eigen::Vector3d& p) {
+    const Eigen::Vector3d q = ((p - origin) / 0.2).array().floor();
+    return std::array<int, 3>{static_cast<int>(q.x()), static_cast<int>(q.y()),
+                              static_cast<int>(q.z())};
+  };
+  std::set<std::array<int, 3>> expected, found;
+  for (std::size_t s = 0; s < scans.size(); ++s) {
+    const PosedScan& scan = scans[s].scan;
+    for (std::size_t i = 0; i < scan.points.size(); ++i)
+      if (run.settled[s].state[i] == PointState::Static)
+        expected.insert(
+            voxelOf(scan.mapFromSensor *
+                    Eigen::Vector3d(scan.points.x[i], scan.points.y[i], scan.points.z[i])));
+  }
+  const Eigen::Vector3d offset = run.pipeline->mapOffset();
+  for (const MapPoint& p : run.pipeline->staticMap())
+    found.insert(voxelOf(offset + Eigen::Vector3d(p.x, p.y, p.z)));
+  std::vector<std::array<int, 3>> differ;
+  std::set_symmetric_difference(expected.begin(), expected.end(), found.begin(), found.end(),
+                                std::back_inserter(differ));
+  // Returns within rounding of a face may count on its other side.
+  EXPECT_LT(differ.size(), 1 + expected.size() / 1000);
+  EXPECT_GT(found.size(), 10000u);
 }
 
 TEST(PipelineMap, MissesReturnsBelowTheGroundUnlessAskedFor) {

@@ -16,6 +16,8 @@ class EveryReturnMap : public StaticMap {
   void addBox(BoxId box, TrackId track, const ScanReturns& scan, IndexSpan indices,
               bool dynamic) override;
   void addToTrack(TrackId track, const ScanReturns& scan, IndexSpan indices) override;
+  VoxelKey placeOf(const ScanReturns&, std::size_t) const override { return 0; }
+  bool holds(VoxelKey) override { return true; }
   void setDynamic(BoxId box, bool dynamic) override;
   void fold(BoxId box) override;
   void revokeTrack(TrackId track) override;

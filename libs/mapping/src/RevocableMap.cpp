@@ -2,6 +2,7 @@
 #include <toss/mapping/RevocableMap.h>
 #include <tsl/robin_map.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -79,6 +80,14 @@ void RevocableMap::leaveBehind(const Eigen::Vector3d& position) {
 }
 
 RevocableMap::~RevocableMap() = default;
+
+bool RevocableMap::holds(VoxelKey voxel) {
+  constexpr double kPlace = 0.2;
+  int bits = 0;
+  while (bits < kBlockBits && std::ldexp(implementation_->voxels.voxelSize(), bits) < kPlace)
+    ++bits;
+  return implementation_->voxels.holds(voxel, bits);
+}
 
 const VoxelMap& RevocableMap::voxels() const {
   return implementation_->voxels;

@@ -26,6 +26,16 @@ constexpr std::uint32_t kRecordsInLine = 2;
 
 }  // namespace
 
+bool VoxelBlocks::holds(VoxelKey voxel, int bits) const {
+  if (slots_.empty()) return false;
+  // Places of the cubes at the corner of a block.
+  constexpr std::array<std::uint64_t, kBlockBits + 1> kCubes{1, 0x330033, ~std::uint64_t{0}};
+  const VoxelKey block = cubeOf(voxel, kBlockBits);
+  const std::uint64_t voxels = slots_[findSlot(block, hash(block))].mask;
+  return (voxels >> placeInBlock(cubeOf(voxel, bits)) & kCubes[static_cast<std::size_t>(bits)]) !=
+         0;
+}
+
 TOSS_ALSO_FOR_AVX2
 void VoxelBlocks::add(Addition* first, Addition* last) {
   for (Addition* addition = first; addition != last; ++addition) {

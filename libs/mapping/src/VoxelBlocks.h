@@ -49,6 +49,9 @@ class VoxelBlocks {
   /// Takes one sum back; std::logic_error where it was never added.
   void subtract(const VoxelSum& sum);
 
+  /// Whether any voxel holds returns of the cube of 2^bits voxels a side in which `voxel` lies; a
+  /// cube is no larger than a block.
+  bool holds(VoxelKey voxel, int bits) const;
   /// Voxels that hold returns.
   std::size_t size() const { return size_; }
   /// Calls `visit(const VoxelSum&)` for each voxel in order of the map.
@@ -74,11 +77,14 @@ class VoxelBlocks {
     return static_cast<std::uint64_t>(__builtin_ctzll(voxels));
   }
 
-  /// The slot of a block, or the free one that it would take.
-  Block& slotOf(VoxelKey block, std::uint64_t hashOfBlock) {
+  /// Number of the slot of a block, or of the free one that it would take.
+  std::size_t findSlot(VoxelKey block, std::uint64_t hashOfBlock) const {
     std::size_t slot = hashOfBlock >> hashShift_;
     while (slots_[slot].key != block && slots_[slot].key != kNone) slot = (slot + 1) & lastSlot_;
-    return slots_[slot];
+    return slot;
+  }
+  Block& slotOf(VoxelKey block, std::uint64_t hashOfBlock) {
+    return slots_[findSlot(block, hashOfBlock)];
   }
   Block& findOrMake(VoxelKey block, std::uint64_t hashOfBlock) {
     Block& slot = slotOf(block, hashOfBlock);

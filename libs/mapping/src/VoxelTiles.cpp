@@ -98,6 +98,11 @@ void VoxelTiles::subtract(const VoxelSum& sum) {
   blocksOf(cubeOf(sum.key, tileBits_)).subtract(sum);
 }
 
+bool VoxelTiles::holds(VoxelKey voxel, int bits) {
+  const VoxelKey tile = cubeOf(voxel, tileBits_);
+  return tiles_.count(placeOf(tile)) != 0 && blocksOf(tile).holds(voxel, bits);
+}
+
 std::size_t VoxelTiles::size() const {
   std::size_t size = 0;
   for (const auto& [key, tile] : tiles_)

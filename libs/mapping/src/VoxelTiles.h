@@ -22,6 +22,9 @@ class VoxelTiles {
   void add(const RunSpan& runs, const std::vector<bool>* without);
   /// Takes one sum back; std::logic_error where it was never added.
   void subtract(const VoxelSum& sum);
+  /// Whether any voxel holds returns of the cube of 2^bits voxels a side in which `voxel` lies;
+  /// `bits` is at most kBlockBits.
+  bool holds(VoxelKey voxel, int bits);
   /// Puts tiles into the store that are farther than `radius` from `place` (both in voxels, counted
   /// from the first voxel) and were not needed in the last calls.
   void leaveBehind(const std::array<double, 3>& place, double radius);

@@ -29,36 +29,42 @@ std::size_t gridIndex(int row, int column) {
 
 }  // namespace
 
-Eigen::AlignedBox2f BoxClaims::Footprint::extent() const {
-  const float reachX = halfLength * std::fabs(cosYaw) + halfWidth * std::fabs(sinYaw);
-  const float reachY = halfLength * std::fabs(sinYaw) + halfWidth * std::fabs(cosYaw);
-  const Eigen::Vector2f middle(x, y), reach(reachX, reachY);
+Eigen::AlignedBox2f BoxClaims::Footprint::extent(float margin) const {
+  const float length = halfLength + margin, width = halfWidth + margin;
+  const Eigen::Vector2f reach(length * std::fabs(cosYaw) + width * std::fabs(sinYaw),
+                              length * std::fabs(sinYaw) + width * std::fabs(cosYaw));
+  const Eigen::Vector2f middle(x, y);
   return {middle - reach, middle + reach};
 }
 
-inline bool BoxClaims::Footprint::holds(float px, float py, float pz) const {
-  const float dx = px - x, dy = py - y;
+inline bool BoxClaims::Footprint::holds(const Eigen::Vector3f& point, float margin) const {
+  const float dx = point.x() - x, dy = point.y() - y;
   // Without branches, as no one could foretell them.
-  return static_cast<bool>((pz >= low) & (pz <= high) &
-                           (std::fabs(cosYaw * dx + sinYaw * dy) <= halfLength) &
-                           (std::fabs(cosYaw * dy - sinYaw * dx) <= halfWidth));
+  return static_cast<bool>((point.z() >= low) & (point.z() <= high + margin) &
+                           (std::fabs(cosYaw * dx + sinYaw * dy) <= halfLength + margin) &
+                           (std::fabs(cosYaw * dy - sinYaw * dx) <= halfWidth + margin));
+}
+
+float BoxClaims::reachOf(const Footprint& footprint) const {
+  return static_cast<float>(footprint.mayMove ? std::max(margins_.claim, margins_.residue)
+                                              : margins_.claim);
 }
 
 void BoxClaims::enter(const Claimant& claimant, std::int32_t number,
                       const Eigen::Vector3d& sensorPosition) {
   const Box& box = claimant.box;
-  const double margin = claimant.cutsInstances ? 0.0 : margin_;
   const Eigen::Vector3f center = (box.center - sensorPosition).cast<float>();
   Footprint& f = footprints_[static_cast<std::size_t>(number)];
-  f.cutsInstances = claimant.cutsInstances;
+  f.mayMove = claimant.mayMove;
+  f.instance = claimant.instance;
   f.x = center.x(), f.y = center.y();
   f.cosYaw = static_cast<float>(std::cos(box.yaw)),
   f.sinYaw = static_cast<float>(std::sin(box.yaw));
-  f.halfLength = static_cast<float>(0.5 * box.length + margin);
-  f.halfWidth = static_cast<float>(0.5 * box.width + margin);
+  f.halfLength = static_cast<float>(0.5 * box.length);
+  f.halfWidth = static_cast<float>(0.5 * box.width);
   f.low = center.z() - static_cast<float>(0.5 * box.height + kBelowBox);
-  f.high = center.z() + static_cast<float>(0.5 * box.height + margin);
-  const Eigen::AlignedBox2f extent = f.extent();
+  f.high = center.z() + static_cast<float>(0.5 * box.height);
+  const Eigen::AlignedBox2f extent = f.extent(reachOf(f));
   const int lastRow = cellOf(extent.max().x()), lastColumn = cellOf(extent.max().y());
   for (int row = cellOf(extent.min().x()); row <= lastRow; ++row)
     for (int column = cellOf(extent.min().y()); column <= lastColumn; ++column) {
@@ -90,59 +96,71 @@ void BoxClaims::take(const std::vector<Claimant>& claimants,
 
 void BoxClaims::markNearby(NearbyReturns& nearby) const {
   for (const Footprint& footprint : footprints_) {
-    nearby.mark(footprint.extent(), NearbyReturns::Of::NoInstance);
-    if (footprint.cutsInstances) nearby.mark(footprint.extent(), NearbyReturns::Of::Instances);
+    const Eigen::AlignedBox2f extent = footprint.extent(reachOf(footprint));
+    nearby.mark(extent, NearbyReturns::Of::NoInstance);
+    if (footprint.mayMove) nearby.mark(extent, NearbyReturns::Of::Instances);
   }
 }
 
-/// Without branches, as no one could foretell on which side of the residue's height a return lies.
-void BoxClaims::pickClaimable(const Segmentation& segmentation, const NearbyReturns& nearby,
-                              const std::vector<bool>& standing) {
-  const auto residue = static_cast<float>(residueHeight_);
-  claimable_.resize(nearby.size());
-  std::size_t count = 0;
-  for (const std::int32_t point : nearby) {
-    const auto i = static_cast<std::size_t>(point);
-    const PointClass pointClass = segmentation.pointClass[i];
-    claimable_[count] = point;
-    count += static_cast<std::size_t>(
-        (pointClass == PointClass::Unclustered) |
-        ((pointClass == PointClass::Ground) & (segmentation.heightAboveGround[i] > residue)) |
-        ((pointClass == PointClass::Instance) &
-         standing[static_cast<std::size_t>(segmentation.instance[i])]));
-  }
-  claimable_.resize(count);
-}
-
-std::int32_t BoxClaims::claimOf(float x, float y, float z, bool fromInstance,
+std::int32_t BoxClaims::claimOf(const Eigen::Vector3f& point, float margin, bool byMoversOnly,
                                 std::int32_t except) const {
-  const int row = cellOf(x), column = cellOf(y);
+  const int row = cellOf(point.x()), column = cellOf(point.y());
   if (!isInside(row) || !isInside(column)) return -1;
   for (std::int32_t e = grid_[gridIndex(row, column)]; e >= 0;
        e = entries_[static_cast<std::size_t>(e)].next) {
     const std::int32_t box = entries_[static_cast<std::size_t>(e)].box;
     const Footprint& f = footprints_[static_cast<std::size_t>(box)];
-    if ((fromInstance && !f.cutsInstances) || box == except) continue;
-    if (f.holds(x, y, z)) return box;
+    if ((byMoversOnly && !f.mayMove) || box == except) continue;
+    if (f.holds(point, margin)) return box;
   }
   return -1;
 }
 
+std::int32_t BoxClaims::residueOf(const Eigen::Vector3f& point) const {
+  if (margins_.residue == 0.0) return -1;
+  return claimOf(point, static_cast<float>(margins_.residue), true, -1);
+}
+
+BoxClaims::Claim BoxClaims::claimOutside(const Eigen::Vector3f& point, bool low) const {
+  const auto margin = static_cast<float>(margins_.claim);
+  const std::int32_t claimant = low ? -1 : claimOf(point, margin, false, -1);
+  if (claimant >= 0) return {0, claimant, 0, false};
+  return {0, residueOf(point), 0, true};
+}
+
+BoxClaims::Claim BoxClaims::claimInside(const Eigen::Vector3f& point, std::int32_t host) const {
+  Claim claim{0, claimOf(point, static_cast<float>(margins_.claim), true, -1), host, false};
+  if (claim.claimant < 0) claim.claimant = residueOf(point), claim.residue = true;
+  const bool own =
+      claim.claimant >= 0 && footprints_[static_cast<std::size_t>(claim.claimant)].instance == host;
+  if (own) claim.claimant = -1;
+  return claim;
+}
+
 void BoxClaims::find(const LevelPoints& points, const Segmentation& segmentation,
                      const NearbyReturns& nearby, const std::vector<bool>& standing,
-                     std::vector<Claim>& claims) {
-  pickClaimable(segmentation, nearby, standing);
+                     std::vector<Claim>& claims) const {
   claims.clear();
-  for (const std::int32_t point : claimable_) {
-    const auto i = static_cast<std::size_t>(point);
-    const bool fromInstance = segmentation.pointClass[i] == PointClass::Instance;
-    const std::int32_t claimant = claimOf(points.x[i], points.y[i], points.z[i], fromInstance, -1);
-    if (claimant >= 0) claims.push_back({point, claimant});
+  const auto residueHeight = static_cast<float>(residueHeight_);
+  for (const std::int32_t number : nearby) {
+    const auto i = static_cast<std::size_t>(number);
+    const Eigen::Vector3f point(points.x[i], points.y[i], points.z[i]);
+    const std::int32_t host = segmentation.instance[i];
+    Claim claim{0, -1};
+    if (segmentation.pointClass[i] == PointClass::Instance) {
+      if (standing[static_cast<std::size_t>(host)]) claim = claimInside(point, host);
+    } else {
+      const bool low = segmentation.pointClass[i] == PointClass::Ground &&
+                       segmentation.heightAboveGround[i] <= residueHeight;
+      claim = claimOutside(point, low);
+    }
+    claim.point = number;
+    if (claim.claimant >= 0) claims.push_back(claim);
   }
 }
 
 std::int32_t BoxClaims::boxAround(const Eigen::Vector3f& point, std::int32_t except) const {
-  return claimOf(point.x(), point.y(), point.z(), false, except);
+  return claimOf(point, static_cast<float>(margins_.claim), false, except);
 }
 
 }  // namespace toss

@@ -3,6 +3,15 @@
 
 namespace toss {
 
+namespace {
+
+/// Instances come before what is claimed out of them.
+bool isHostMoving(const Owner& owner, const std::vector<bool>& moving) {
+  return owner.host != 0 && moving[static_cast<std::size_t>(owner.host)];
+}
+
+}  // namespace
+
 std::vector<bool> Judge::live(const ScanRecord& record,
                               const std::vector<FreeSpaceSum>& evidence) const {
   DecisionOptions options = options_;
@@ -14,7 +23,7 @@ std::vector<bool> Judge::live(const ScanRecord& record,
     const bool voted = isDynamic(trace) || isDynamic(traces_.liveClass(owner.companion)) ||
                        (owner.votes && voting_.isDynamic(owner.box));
     const FreeSpaceSum own = o < evidence.size() ? evidence[o] : FreeSpaceSum();
-    moving[o] = fuseInstance(voted, trace, own, options);
+    moving[o] = fuseInstance(voted, trace, own, options) || isHostMoving(owner, moving);
   }
   return moving;
 }
@@ -26,7 +35,7 @@ std::vector<bool> Judge::final(const ScanRecord& record, bool last) const {
     const MotionClass trace = traces_.finalClass(owner.track, last);
     const bool voted = isDynamic(traces_.finalClass(owner.companion, last)) ||
                        (owner.votes ? voting_.isDynamic(owner.box) : isDynamic(trace));
-    moving[o] = fuseInstance(voted, trace, owner.evidence, options_);
+    moving[o] = fuseInstance(voted, trace, owner.evidence, options_) || isHostMoving(owner, moving);
   }
   return moving;
 }

@@ -8,7 +8,8 @@
 
 namespace toss {
 
-/// Says which owners of a scan move, from votes, traces and free space together.
+/// Says which owners of a scan move, from votes, traces and free space together. Owners of residue
+/// move with their trace here: so the map wants it.
 class Judge {
  public:
   Judge(const DecisionOptions& options, const DsVoting& voting, const TraceBook& traces)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapCommit.h"
 
+#include <algorithm>
 #include <array>
 
 namespace toss {
@@ -52,8 +53,10 @@ void commitScan(const MappingOptions& options, const std::vector<bool>& movingOw
   markMapped(owners, record.owners);
   record.firstLedger = nextLedger;
   nextLedger += record.owners.size();
-  map.addScan({record.level, record.intensity, record.sensorPosition}, owners, movingOwners,
-              record.firstLedger);
+  const ScanReturns returns{record.level, record.intensity, record.sensorPosition};
+  map.addScan(returns, owners, movingOwners, record.firstLedger);
+  for (ResidueReturn& each : record.residue)
+    each.place = map.placeOf(returns, static_cast<std::size_t>(each.point));
   record.complete = true;
 }
 
@@ -68,6 +71,16 @@ void updateLedgers(const ScanRecord& record, const std::vector<bool>& movingOwne
                    StaticMap& map) {
   for (std::size_t o = 1; o < record.owners.size(); ++o)
     if (record.owners[o].mapped) map.setDynamic(record.firstLedger + o, movingOwners[o]);
+}
+
+void releaseResidue(const std::vector<bool>& movingOwners, StaticMap& map, ScanRecord& record) {
+  for (const ResidueReturn& each : record.residue) {
+    const auto o = static_cast<std::size_t>(record.owner[static_cast<std::size_t>(each.point)]);
+    const auto host = static_cast<std::size_t>(record.owners[o].host);
+    if (movingOwners[o] && !movingOwners[host] && !map.holds(each.place))
+      record.loneMovers.push_back(each.point);
+  }
+  std::sort(record.loneMovers.begin(), record.loneMovers.end());
 }
 
 void settleLedgers(const ScanRecord& record, StaticMap& map) {

@@ -21,6 +21,11 @@ void previewScan(const MappingOptions& options, const std::vector<bool>& movingO
 /// Gives every ledger of a committed scan its owner's present label.
 void updateLedgers(const ScanRecord& record, const std::vector<bool>& movingOwners, StaticMap& map);
 
+/// Adds to the record's lone movers the residue of moving owners in whose places nothing static is
+/// left in the map: all that was ever measured there was measured while something stood there that
+/// moves.
+void releaseResidue(const std::vector<bool>& movingOwners, StaticMap& map, ScanRecord& record);
+
 /// Makes the labels of all ledgers of a committed scan final.
 void settleLedgers(const ScanRecord& record, StaticMap& map);
 

@@ -23,7 +23,7 @@ Pipeline::Implementation::Implementation(const PipelineOptions& o, const SensorM
       voting(o.voting),
       traces(o.decision, o.visibility.enabled),
       judge(options.decision, voting, traces),
-      builder(o.decision, o.mapping.groundResidueHeight),
+      builder(o.decision, o.mapping),
       shared(std::move(sharedMap)) {
   for (const Options* section : options.sections()) section->check();
   shared->pipelines.push_back(this);
@@ -136,6 +136,7 @@ void Pipeline::Implementation::settleFirst() {
   ScanRecord& record = records.front();
   const std::vector<bool> moving = judge.final(record, true);
   updateLedgers(record, moving, *shared->map);
+  releaseResidue(moving, *shared->map, record);
   settleLedgers(record, *shared->map);
   settled.emplace_back();
   labelScan(
@@ -159,8 +160,12 @@ void Pipeline::Implementation::forgetOld() {
 
 void Pipeline::Implementation::settle(bool all) {
   const double horizon = options.voting.horizon;
-  if (all)
+  if (all) {
     for (const ScanRecord& record : records) setFinalClasses(record, true);
+    // Residue of the first asks for what the last leaves in the map.
+    for (std::size_t i = 0; i < committed; ++i)
+      updateLedgers(records[i], judge.final(records[i], true), *shared->map);
+  }
   const auto isDue = [&](const ScanRecord& record) {
     return all || (horizon > 0.0 && records.back().time - record.time > horizon);
   };

@@ -19,8 +19,13 @@ std::vector<std::int32_t> tracesOf(const std::vector<Detection>& detections,
 
 /// Whether a trace moves, or may turn out to have moved when more of it has been seen.
 bool mayMove(const Track& track) {
-  constexpr double kSlowest = 0.2;
-  return isDynamic(track.motion) || (track.confirmed && track.speed() > kSlowest);
+  return isDynamic(track.motion) || track.confirmed;
+}
+
+/// Claims that the same owner has are alike in this; those of greater keys come later.
+std::uint64_t ownerKey(const BoxClaims::Claim& claim) {
+  return static_cast<std::uint64_t>(claim.claimant) << 32 |
+         static_cast<std::uint64_t>(claim.host) << 1 | static_cast<std::uint64_t>(claim.residue);
 }
 
 /// Memory fresh from the system costs more than what is written into it.
@@ -44,38 +49,46 @@ void RecordBuilder::addInstances(const std::vector<Detection>& detections, const
   }
 }
 
+void RecordBuilder::addOwners(const std::vector<Track>& tracks, ScanRecord& record) {
+  ownerKeys_.clear();
+  for (const BoxClaims::Claim& claim : foundClaims_) ownerKeys_.push_back(ownerKey(claim));
+  std::sort(ownerKeys_.begin(), ownerKeys_.end());
+  ownerKeys_.erase(std::unique(ownerKeys_.begin(), ownerKeys_.end()), ownerKeys_.end());
+  const std::size_t first = record.owners.size();
+  record.owners.resize(first + ownerKeys_.size());
+  for (const BoxClaims::Claim& claim : foundClaims_) {
+    const auto found = std::lower_bound(ownerKeys_.begin(), ownerKeys_.end(), ownerKey(claim));
+    const std::size_t o = first + static_cast<std::size_t>(found - ownerKeys_.begin());
+    Owner& owner = record.owners[o];
+    owner.track = tracks[static_cast<std::size_t>(claim.claimant)].id;
+    owner.host = claim.host, owner.residue = claim.residue;
+    record.owner[static_cast<std::size_t>(claim.point)] = static_cast<std::int32_t>(o);
+    if (claim.residue) record.residue.push_back({claim.point});
+  }
+}
+
 void RecordBuilder::addClaims(const SegmentedScan& segmented,
                               const std::vector<Detection>& detections, const Tracker& tracker,
                               ScanRecord& record) {
   std::vector<bool> standing(record.owners.size(), true);
   std::vector<BoxClaims::Claimant> claimants;
-  std::vector<GroundContact::Body> bodies;
-  claimants.reserve(tracker.tracks().size()), bodies.reserve(tracker.tracks().size());
+  claimants.reserve(tracker.tracks().size());
   for (const Track& track : tracker.tracks()) {
-    if (track.updated()) {
-      const Detection& detection = detections[static_cast<std::size_t>(track.detection)];
-      bodies.push_back({detection.instance, static_cast<std::int32_t>(claimants.size())});
-      if (isDynamic(track.motion)) standing[static_cast<std::size_t>(detection.instance)] = false;
+    if (!track.updated()) {
+      claimants.push_back({track.box, mayMove(track)});
+      continue;
     }
+    const Detection& detection = detections[static_cast<std::size_t>(track.detection)];
+    if (isDynamic(track.motion)) standing[static_cast<std::size_t>(detection.instance)] = false;
     // What was seen tells the extent of this scan better than the smoothed estimate.
-    claimants.push_back(
-        track.updated()
-            ? BoxClaims::Claimant{detections[static_cast<std::size_t>(track.detection)].box, false}
-            : BoxClaims::Claimant{track.box, mayMove(track)});
-    record.owners.emplace_back().track = track.id;
+    claimants.push_back({detection.box, mayMove(track), detection.instance});
   }
-  nearby_.clear();
   claims_.take(claimants, record.sensorPosition);
+  nearby_.clear();
   claims_.markNearby(nearby_);
-  contact_.take(segmented.level, segmented.segmentation, bodies);
-  contact_.markNearby(nearby_);
   nearby_.find(segmented.level, segmented.segmentation.pointClass);
   claims_.find(segmented.level, segmented.segmentation, nearby_, standing, foundClaims_);
-  contact_.find(segmented.level, segmented.segmentation, nearby_, foundContacts_);
-  const std::int32_t firstClaim = segmented.segmentation.instanceCount + 1;
-  for (const auto* found : {&foundContacts_, &foundClaims_})
-    for (const BoxClaims::Claim& claim : *found)
-      record.owner[static_cast<std::size_t>(claim.point)] = firstClaim + claim.claimant;
+  addOwners(tracker.tracks(), record);
   findCompanions(detections, tracker, record);
 }
 
@@ -119,7 +132,6 @@ ScanRecord RecordBuilder::build(const PosedScan& scan, const SegmentedScan& segm
   copyIntoSpare(segmented.level, spareLevels_, record.level);
   copyIntoSpare(scan.points.intensity, spareIntensities_, record.intensity);
   const std::size_t instances = static_cast<std::size_t>(segmented.segmentation.instanceCount) + 1;
-  record.owners.reserve(instances + tracker.tracks().size());
   record.owners.resize(instances);
   addInstances(detections, tracker, record);
   if (claiming_) addClaims(segmented, detections, tracker, record);

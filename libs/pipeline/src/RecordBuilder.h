@@ -7,7 +7,6 @@
 #include <toss/voting/DecisionOptions.h>
 
 #include "BoxClaims.h"
-#include "GroundContact.h"
 #include "ScanRecord.h"
 
 namespace toss {
@@ -15,12 +14,13 @@ namespace toss {
 /// Turns what segmentation and tracking found in a scan into its record.
 class RecordBuilder {
  public:
-  /// `residueHeight`: see BoxClaims.
-  RecordBuilder(const DecisionOptions& options, double residueHeight)
+  /// Without voxels no map tells whether anything else was measured in a place, so there is no
+  /// residue then.
+  RecordBuilder(const DecisionOptions& options, const MappingOptions& mapping)
       : claiming_(options.claims),
         fragmentPoints_(options.fragmentPoints),
-        claims_(options.claimMargin, residueHeight),
-        contact_(options.contactDistance) {}
+        claims_({options.claimMargin, mapping.voxelSize > 0.0 ? options.residueMargin : 0.0},
+                mapping.groundResidueHeight) {}
 
   ScanRecord build(const PosedScan& scan, const SegmentedScan& segmented,
                    const std::vector<Detection>& detections, const Tracker& tracker);
@@ -36,6 +36,7 @@ class RecordBuilder {
                     ScanRecord& record) const;
   void addClaims(const SegmentedScan& segmented, const std::vector<Detection>& detections,
                  const Tracker& tracker, ScanRecord& record);
+  void addOwners(const std::vector<Track>& tracks, ScanRecord& record);
   void findCompanions(const std::vector<Detection>& detections, const Tracker& tracker,
                       ScanRecord& record) const;
 
@@ -43,8 +44,9 @@ class RecordBuilder {
   int fragmentPoints_;
   NearbyReturns nearby_;
   BoxClaims claims_;
-  GroundContact contact_;
-  std::vector<BoxClaims::Claim> foundClaims_, foundContacts_;
+  std::vector<BoxClaims::Claim> foundClaims_;
+  /// One for each owner that claims, see ownerKey().
+  std::vector<std::uint64_t> ownerKeys_;
   /// Memory of scans that need it no more.
   std::vector<LevelPoints> spareLevels_;
   std::vector<std::vector<float>> spareIntensities_;

@@ -17,6 +17,15 @@ OwnerLabel ownerLabel(const Owner& owner, bool moving) {
           owned ? static_cast<std::uint32_t>(owner.track) : 0};
 }
 
+/// Who says what an owner's returns are: residue is what it would be without its trace, and what is
+/// cut out of an instance belongs to that unless the trace that cuts moves.
+std::size_t namingOwner(const ScanRecord& record, std::size_t o,
+                        const std::function<bool(TrackId)>& isMovingTrack) {
+  const Owner& owner = record.owners[o];
+  const bool cut = owner.host != 0 && !isMovingTrack(owner.track);
+  return owner.residue || cut ? static_cast<std::size_t>(owner.host) : o;
+}
+
 }  // namespace
 
 void labelScan(const ScanRecord& record, const std::vector<bool>& movingOwners,
@@ -28,8 +37,10 @@ void labelScan(const ScanRecord& record, const std::vector<bool>& movingOwners,
   labels.track.resize(n);
   std::vector<OwnerLabel> labelOf;
   labelOf.reserve(record.owners.size());
-  for (std::size_t o = 0; o < record.owners.size(); ++o)
-    labelOf.push_back(ownerLabel(record.owners[o], movingOwners[o]));
+  for (std::size_t o = 0; o < record.owners.size(); ++o) {
+    const std::size_t naming = namingOwner(record, o, isMovingTrack);
+    labelOf.push_back(ownerLabel(record.owners[naming], movingOwners[naming]));
+  }
   for (std::size_t i = 0; i < n; ++i) {
     const OwnerLabel label = labelOf[static_cast<std::size_t>(record.owner[i])];
     const bool valid = record.pointClass[i] != PointClass::Invalid;

@@ -13,7 +13,7 @@
 namespace toss {
 
 /// What decides about a group of returns of one scan: an instance, or the box of a trace that
-/// claims returns which are in no instance.
+/// claims returns.
 struct Owner {
   /// Trace, 0 = none.
   TrackId track = 0;
@@ -24,10 +24,24 @@ struct Owner {
   bool votes = false;
   /// An instance, as against a claim.
   bool instance = false;
+  /// For returns that a trace claims out of a standing instance: that instance, with which they
+  /// move as well, 0 = none.
+  std::int32_t host = 0;
+  /// What may be left of the trace's object, as this scan alone can not tell it from what it stands
+  /// on or beside. While the trace is dynamic it is not in the map; it moves where nothing else
+  /// that is static was ever measured in its place.
+  bool residue = false;
   /// Whether the static map has taken returns of it: then they have a ledger there.
   bool mapped = false;
   /// What views say about the instance; empty for claims.
   FreeSpaceSum evidence;
+};
+
+/// A return that an owner has as residue.
+struct ResidueReturn {
+  std::int32_t point = 0;
+  /// Its place in the static map, from the time on when the scan is in it.
+  VoxelKey place = 0;
 };
 
 /// One scan from the time it came in until its labels are final. Index-aligned with its points.
@@ -38,7 +52,10 @@ struct ScanRecord {
   /// Shape [n]: class, and owner (index into `owners`).
   std::vector<PointClass> pointClass;
   std::vector<std::int32_t> owner;
-  /// Returns that move although nothing that owns them does, ascending; set with the evidence.
+  /// Returns that may be residue, ascending.
+  std::vector<ResidueReturn> residue;
+  /// Returns that move although nothing that owns them does, ascending; set with the evidence, and
+  /// completed by residue when the scan is settled.
   std::vector<std::int32_t> loneMovers;
   /// owners[0] is nobody; instance k is owners[k]; claims follow.
   std::vector<Owner> owners;

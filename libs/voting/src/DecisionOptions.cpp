@@ -33,10 +33,11 @@ void DecisionOptions::visit(OptionVisitor& v) {
   v.real({"claim_margin", "m", "Margin by which a trace's box claims returns without an instance",
           "spec 10"},
          claimMargin, 0.0, 1.0);
-  v.real({"contact_distance", "m",
-          "Returns in the ground layer this near to the foot of a trace go with it: feet and tyres",
-          "spec 11.1"},
-         contactDistance, 0.0, 1.0);
+  v.real(
+      {"residue_margin", "m",
+       "Returns in a moving trace's box grown by this move where nothing static was measured too",
+       "spec 11.1"},
+      residueMargin, 0.0, 1.0);
   v.integer({"fragment_points", "",
              "An instance of fewer returns in the box of a moving trace moves with it", "spec 10"},
             fragmentPoints, 0, 1000);

@@ -24,6 +24,11 @@ class RevocableMap {
   /// The voxel map with what is static by present knowledge.
   const VoxelMap& voxels() const;
 
+  /// Whether returns that are static by present knowledge lie in the place of a voxel: the cube of
+  /// 2^k voxels a side around it that is nearest to 0.2 m from above, at most 4 voxels. Scans of
+  /// sparse sensors seldom measure smaller places twice.
+  bool holds(VoxelKey voxel);
+
   /// Puts tiles of the voxels into the store that are far from `position` [m, map frame].
   void leaveBehind(const Eigen::Vector3d& position);
 

@@ -47,6 +47,12 @@ class StaticMap {
   virtual void addScan(const ScanReturns& scan, const std::vector<std::int32_t>& owner,
                        const std::vector<bool>& dynamic, BoxId firstBox);
 
+  /// Name of the place of return `i` of a scan, for holds().
+  virtual VoxelKey placeOf(const ScanReturns& scan, std::size_t i) const = 0;
+  /// Whether any static return is in a place by present labels; places are about 0.2 m large. A map
+  /// without voxels holds all places.
+  virtual bool holds(VoxelKey place) = 0;
+
   /// Label of a box that is neither folded nor settled; std::logic_error for other boxes.
   virtual void setDynamic(BoxId box, bool dynamic) = 0;
   /// Moves the box's returns to the ledger of its trace: from now on they are static or dynamic

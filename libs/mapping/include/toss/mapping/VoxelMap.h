@@ -119,6 +119,13 @@ class VoxelMap {
   void subtract(const RunSpan& runs);
   void subtract(const VoxelSum& sum);
 
+  /// Voxel of a return at `level` [m, level frame] of a sensor at `sensorPosition` [m, map frame],
+  /// both within reach of the map.
+  VoxelKey keyOf(const Eigen::Vector3f& level, const Eigen::Vector3d& sensorPosition) const;
+  /// Whether any voxel holds returns of the cube of 2^bits voxels a side in which `voxel` lies;
+  /// `bits` is at most kBlockBits.
+  bool holds(VoxelKey voxel, int bits);
+
   /// Puts tiles into the store that are farther than `radius` [m] from `position` [m, map frame]
   /// and were not needed in the last calls; they come back when they are needed again.
   void leaveBehind(const Eigen::Vector3d& position, double radius);

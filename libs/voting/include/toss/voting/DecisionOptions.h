@@ -29,10 +29,10 @@ struct DecisionOptions : Options {
   bool claims = true;
   /// Margin by which the box of a trace claims returns that have no instance [m].
   double claimMargin = 0.15;
-  /// Largest horizontal distance within which the lowest half metre of a trace's instance claims
-  /// returns of the ground layer, however low they lie; nearer than 12 m it shrinks with the range,
-  /// as the spacing of beams does [m].
-  double contactDistance = 0.15;
+  /// Margin by which the box of a moving trace holds residue: ground, and what stands close beside
+  /// it [m]. Residue moves where nothing that is static was ever measured in its voxel. 0 = there
+  /// is no residue.
+  double residueMargin = 0.2;
   /// An instance with fewer returns than this that lies in the box of a trace moves with it, unless
   /// it is clearly measured again.
   int fragmentPoints = 15;
