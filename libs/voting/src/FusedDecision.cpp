@@ -10,10 +10,9 @@ bool isSeenThrough(const FreeSpaceSum& evidence, double share, const DecisionOpt
 
 /// Much of it measured again, and next to nothing seen through: a wall whose visible part slides
 /// along behind a window moves like this, however far it seems to travel.
-bool isConfirmedStanding(const FreeSpaceSum& evidence, double freeShare,
-                         const DecisionOptions& options) {
+bool isConfirmedStanding(const FreeSpaceSum& evidence, const DecisionOptions& options) {
   return evidence.cells >= options.minCells && evidence.hitShare() >= options.vetoHitShare &&
-         evidence.freeShare() < freeShare;
+         evidence.freeShare() < options.vetoFreeShare;
 }
 
 /// What moves behind a bush is glimpsed past; a patch of wall seen through an opening is not.
@@ -27,7 +26,7 @@ bool isGlimpsedPast(const FreeSpaceSum& evidence, const DecisionOptions& options
 MotionClass fuseTrace(MotionClass motion, const FreeSpaceSum& evidence,
                       const DecisionOptions& options) {
   if (isSeenThrough(evidence, options.traceFreeShare, options)) return MotionClass::Strong;
-  if (isConfirmedStanding(evidence, options.vetoFreeShare, options)) return MotionClass::Static;
+  if (isConfirmedStanding(evidence, options)) return MotionClass::Static;
   if (motion == MotionClass::Doubtful)
     return isGlimpsedPast(evidence, options) ? MotionClass::Strong : MotionClass::Static;
   const bool confirmed = isSeenThrough(evidence, options.confirmFreeShare, options);
@@ -38,8 +37,7 @@ bool fuseInstance(bool voted, MotionClass trace, const FreeSpaceSum& evidence,
                   const DecisionOptions& options) {
   if (isSeenThrough(evidence, options.freeShare, options)) return true;
   // What moves at some time in its life may stand now; only a vote of others can be taken back.
-  return voted &&
-         (isDynamic(trace) || !isConfirmedStanding(evidence, options.confirmFreeShare, options));
+  return voted && (isDynamic(trace) || !isConfirmedStanding(evidence, options));
 }
 
 }  // namespace toss
