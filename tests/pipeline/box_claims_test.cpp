@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -11,6 +12,8 @@
 
 namespace toss::test {
 namespace {
+
+using Takes = BoxClaims::Claimant::Takes;
 
 constexpr double kClaim = 0.15, kResidue = 0.4, kResidueHeight = 0.02;
 constexpr std::int32_t kInstances = 12;
@@ -47,7 +50,7 @@ ClaimScene randomScene() {
     box.center = {anywhere(random), anywhere(random), 0.0};
     box.length = edge(random), box.width = edge(random), box.height = edge(random);
     box.yaw = yaw(random);
-    scene.claimants.push_back({box, c % 3 != 0, c < kInstances ? c + 1 : 0});
+    scene.claimants.push_back({box, static_cast<Takes>(c % 3), c < kInstances - 2 ? c + 1 : 0});
   }
   for (std::int32_t k = 0; k <= kInstances; ++k) scene.standing.push_back(k % 4 != 0);
   constexpr std::array<PointClass, 3> kClasses{PointClass::Ground, PointClass::Unclustered,
@@ -66,7 +69,7 @@ ClaimScene randomScene() {
 
 /// Smallest box that holds the point when grown to its sides and top; it reaches a metre down.
 std::int32_t smallestByAll(const ClaimScene& scene, const Eigen::Vector3d& point, double margin,
-                           bool movers) {
+                           Takes least) {
   std::int32_t best = -1;
   for (std::size_t c = 0; c < scene.claimants.size(); ++c) {
     const Box& box = scene.claimants[c].box;
@@ -76,11 +79,34 @@ std::int32_t smallestByAll(const ClaimScene& scene, const Eigen::Vector3d& point
     const bool holds = std::fabs(flat.x()) <= box.length / 2 + margin &&
                        std::fabs(flat.y()) <= box.width / 2 + margin &&
                        up <= box.height / 2 + margin && up >= -box.height / 2 - 1.0;
-    if (!holds || (movers && !scene.claimants[c].mayMove)) continue;
+    if (!holds || scene.claimants[c].takes < least) continue;
     if (best < 0 || box.volume() < scene.claimants[static_cast<std::size_t>(best)].box.volume())
       best = static_cast<std::int32_t>(c);
   }
   return best;
+}
+
+Eigen::AlignedBox2d around(const Box& box, double margin) {
+  Eigen::AlignedBox2d extent;
+  for (const double x : {-0.5, 0.5})
+    for (const double y : {-0.5, 0.5}) {
+      const Eigen::Vector2d corner(x * (box.length + 2 * margin), y * (box.width + 2 * margin));
+      extent.extend((box.center.head<2>() + Eigen::Rotation2Dd(box.yaw) * corner).eval());
+    }
+  return extent;
+}
+
+/// Whether the rectangle around the box of instance k meets that of another that takes anything.
+bool isMet(const ClaimScene& scene, std::int32_t k) {
+  for (const BoxClaims::Claimant& own : scene.claimants) {
+    if (own.instance != k) continue;
+    return std::any_of(scene.claimants.begin(), scene.claimants.end(), [&](const auto& other) {
+      const double margin = other.takes == Takes::Residue ? kResidue : kClaim;
+      return other.takes != Takes::Nothing && other.instance != k &&
+             around(other.box, margin).intersects(around(own.box, 0.0));
+    });
+  }
+  return true;
 }
 
 /// The claim by the rules one after another; claimant -1 = none.
@@ -89,11 +115,12 @@ BoxClaims::Claim claimByAll(const ClaimScene& scene, std::size_t i) {
   const std::int32_t k = scene.segmentation.instance[i];
   const bool low = scene.segmentation.pointClass[i] == PointClass::Ground &&
                    scene.segmentation.heightAboveGround[i] <= static_cast<float>(kResidueHeight);
-  if (k > 0 && !scene.standing[static_cast<std::size_t>(k)]) return {0, -1};
+  if (k > 0 && !(scene.standing[static_cast<std::size_t>(k)] && isMet(scene, k))) return {0, -1};
   BoxClaims::Claim claim{static_cast<std::int32_t>(i), -1, k, false};
-  if (!low) claim.claimant = smallestByAll(scene, point, kClaim, k > 0);
+  if (!low)
+    claim.claimant = smallestByAll(scene, point, kClaim, k > 0 ? Takes::Cuts : Takes::Nothing);
   if (claim.claimant < 0)
-    claim.claimant = smallestByAll(scene, point, kResidue, true), claim.residue = true;
+    claim.claimant = smallestByAll(scene, point, kResidue, Takes::Residue), claim.residue = true;
   if (claim.claimant >= 0 && k > 0 &&
       scene.claimants[static_cast<std::size_t>(claim.claimant)].instance == k)
     claim.claimant = -1;
@@ -114,7 +141,7 @@ TEST(BoxClaims, AreWhatComparisonWithAllBoxesFinds) {
     EXPECT_EQ(claim->second.residue, expected.residue) << i;
     ++seen[static_cast<std::size_t>((expected.host > 0 ? 2 : 0) + (expected.residue ? 1 : 0))];
   }
-  for (const int count : seen) EXPECT_GT(count, 100);
+  for (const int count : seen) EXPECT_GT(count, 50);
 }
 
 TEST(BoxClaims, OfNoResidueMarginLeaveLowGround) {
@@ -135,7 +162,7 @@ TEST(BoxClaims, NamesTheSmallestOtherBoxAroundAPoint) {
     Box box;
     box.center = {5.0, 0.0, 0.0};
     box.length = box.width = box.height = edge;
-    return BoxClaims::Claimant{box, false, 0};
+    return BoxClaims::Claimant{box, Takes::Nothing, 0};
   };
   BoxClaims claims({0.0, 0.0}, 0.0);
   claims.take({boxOf(1.0), boxOf(4.0), boxOf(2.0)}, Eigen::Vector3d::Zero());

@@ -8,6 +8,8 @@
 namespace toss {
 namespace {
 
+using Takes = BoxClaims::Claimant::Takes;
+
 constexpr int kCells = 256;
 constexpr float kCellSize = 1.0f;
 /// The lowest part of an object lies in the ground layer or is too sparse to be in its instance.
@@ -46,8 +48,9 @@ inline bool BoxClaims::Footprint::holds(const Eigen::Vector3f& point, float marg
 }
 
 float BoxClaims::reachOf(const Footprint& footprint) const {
-  return static_cast<float>(footprint.mayMove ? std::max(margins_.claim, margins_.residue)
-                                              : margins_.claim);
+  return static_cast<float>(footprint.takes == Takes::Residue
+                                ? std::max(margins_.claim, margins_.residue)
+                                : margins_.claim);
 }
 
 void BoxClaims::enter(const Claimant& claimant, std::int32_t number,
@@ -55,7 +58,7 @@ void BoxClaims::enter(const Claimant& claimant, std::int32_t number,
   const Box& box = claimant.box;
   const Eigen::Vector3f center = (box.center - sensorPosition).cast<float>();
   Footprint& f = footprints_[static_cast<std::size_t>(number)];
-  f.mayMove = claimant.mayMove;
+  f.takes = claimant.takes;
   f.instance = claimant.instance;
   f.x = center.x(), f.y = center.y();
   f.cosYaw = static_cast<float>(std::cos(box.yaw)),
@@ -64,22 +67,23 @@ void BoxClaims::enter(const Claimant& claimant, std::int32_t number,
   f.halfWidth = static_cast<float>(0.5 * box.width);
   f.low = center.z() - static_cast<float>(0.5 * box.height + kBelowBox);
   f.high = center.z() + static_cast<float>(0.5 * box.height);
-  const Eigen::AlignedBox2f extent = f.extent(reachOf(f));
-  const int lastRow = cellOf(extent.max().x()), lastColumn = cellOf(extent.max().y());
-  for (int row = cellOf(extent.min().x()); row <= lastRow; ++row)
-    for (int column = cellOf(extent.min().y()); column <= lastColumn; ++column) {
+  f.claimed = f.extent(reachOf(f));
+  const int lastRow = cellOf(f.claimed.max().x()), lastColumn = cellOf(f.claimed.max().y());
+  for (int row = cellOf(f.claimed.min().x()); row <= lastRow; ++row)
+    for (int column = cellOf(f.claimed.min().y()); column <= lastColumn; ++column) {
       if (!isInside(row) || !isInside(column)) continue;
-      std::int32_t& head = grid_[gridIndex(row, column)];
-      if (head < 0) usedCells_.push_back(gridIndex(row, column));
-      entries_.push_back({number, head});
-      head = static_cast<std::int32_t>(entries_.size()) - 1;
+      Cell& cell = grid_[gridIndex(row, column)];
+      if (cell.first < 0) usedCells_.push_back(gridIndex(row, column));
+      entries_.push_back({number, cell.first});
+      cell.first = static_cast<std::int32_t>(entries_.size()) - 1;
+      cell.most = std::max(cell.most, claimant.takes);
     }
 }
 
 void BoxClaims::take(const std::vector<Claimant>& claimants,
                      const Eigen::Vector3d& sensorPosition) {
-  grid_.resize(static_cast<std::size_t>(kCells) * kCells, -1);
-  for (const std::size_t cell : usedCells_) grid_[cell] = -1;
+  grid_.resize(static_cast<std::size_t>(kCells) * kCells);
+  for (const std::size_t cell : usedCells_) grid_[cell] = Cell();
   usedCells_.clear(), entries_.clear();
   footprints_.resize(claimants.size());
   // Entered last means found first: larger boxes go in before smaller ones.
@@ -96,21 +100,38 @@ void BoxClaims::take(const std::vector<Claimant>& claimants,
 
 void BoxClaims::markNearby(NearbyReturns& nearby) const {
   for (const Footprint& footprint : footprints_) {
-    const Eigen::AlignedBox2f extent = footprint.extent(reachOf(footprint));
-    nearby.mark(extent, NearbyReturns::Of::NoInstance);
-    if (footprint.mayMove) nearby.mark(extent, NearbyReturns::Of::Instances);
+    nearby.mark(footprint.claimed, NearbyReturns::Of::NoInstance);
+    if (footprint.takes != Takes::Nothing)
+      nearby.mark(footprint.claimed, NearbyReturns::Of::Instances);
   }
 }
 
-std::int32_t BoxClaims::claimOf(const Eigen::Vector3f& point, float margin, bool byMoversOnly,
+bool BoxClaims::isMet(std::size_t number) const {
+  const Eigen::AlignedBox2f own = footprints_[number].extent(0.0f);
+  const int lastRow = cellOf(own.max().x()), lastColumn = cellOf(own.max().y());
+  for (int row = cellOf(own.min().x()); row <= lastRow; ++row)
+    for (int column = cellOf(own.min().y()); column <= lastColumn; ++column) {
+      if (!isInside(row) || !isInside(column)) continue;
+      for (std::int32_t e = grid_[gridIndex(row, column)].first; e >= 0;
+           e = entries_[static_cast<std::size_t>(e)].next) {
+        const auto other = static_cast<std::size_t>(entries_[static_cast<std::size_t>(e)].box);
+        const Footprint& f = footprints_[other];
+        if (other != number && f.takes != Takes::Nothing && f.claimed.intersects(own)) return true;
+      }
+    }
+  return false;
+}
+
+std::int32_t BoxClaims::claimOf(const Eigen::Vector3f& point, float margin, Takes least,
                                 std::int32_t except) const {
   const int row = cellOf(point.x()), column = cellOf(point.y());
   if (!isInside(row) || !isInside(column)) return -1;
-  for (std::int32_t e = grid_[gridIndex(row, column)]; e >= 0;
-       e = entries_[static_cast<std::size_t>(e)].next) {
+  const Cell& cell = grid_[gridIndex(row, column)];
+  if (cell.most < least) return -1;
+  for (std::int32_t e = cell.first; e >= 0; e = entries_[static_cast<std::size_t>(e)].next) {
     const std::int32_t box = entries_[static_cast<std::size_t>(e)].box;
     const Footprint& f = footprints_[static_cast<std::size_t>(box)];
-    if ((byMoversOnly && !f.mayMove) || box == except) continue;
+    if (f.takes < least || box == except) continue;
     if (f.holds(point, margin)) return box;
   }
   return -1;
@@ -118,18 +139,18 @@ std::int32_t BoxClaims::claimOf(const Eigen::Vector3f& point, float margin, bool
 
 std::int32_t BoxClaims::residueOf(const Eigen::Vector3f& point) const {
   if (margins_.residue == 0.0) return -1;
-  return claimOf(point, static_cast<float>(margins_.residue), true, -1);
+  return claimOf(point, static_cast<float>(margins_.residue), Takes::Residue, -1);
 }
 
 BoxClaims::Claim BoxClaims::claimOutside(const Eigen::Vector3f& point, bool low) const {
   const auto margin = static_cast<float>(margins_.claim);
-  const std::int32_t claimant = low ? -1 : claimOf(point, margin, false, -1);
+  const std::int32_t claimant = low ? -1 : claimOf(point, margin, Takes::Nothing, -1);
   if (claimant >= 0) return {0, claimant, 0, false};
   return {0, residueOf(point), 0, true};
 }
 
 BoxClaims::Claim BoxClaims::claimInside(const Eigen::Vector3f& point, std::int32_t host) const {
-  Claim claim{0, claimOf(point, static_cast<float>(margins_.claim), true, -1), host, false};
+  Claim claim{0, claimOf(point, static_cast<float>(margins_.claim), Takes::Cuts, -1), host, false};
   if (claim.claimant < 0) claim.claimant = residueOf(point), claim.residue = true;
   const bool own =
       claim.claimant >= 0 && footprints_[static_cast<std::size_t>(claim.claimant)].instance == host;
@@ -139,8 +160,12 @@ BoxClaims::Claim BoxClaims::claimInside(const Eigen::Vector3f& point, std::int32
 
 void BoxClaims::find(const LevelPoints& points, const Segmentation& segmentation,
                      const NearbyReturns& nearby, const std::vector<bool>& standing,
-                     std::vector<Claim>& claims) const {
+                     std::vector<Claim>& claims) {
   claims.clear();
+  cuttable_ = standing;
+  for (std::size_t c = 0; c < footprints_.size(); ++c)
+    if (const auto own = static_cast<std::size_t>(footprints_[c].instance); own != 0)
+      cuttable_[own] = cuttable_[own] && isMet(c);
   const auto residueHeight = static_cast<float>(residueHeight_);
   for (const std::int32_t number : nearby) {
     const auto i = static_cast<std::size_t>(number);
@@ -148,7 +173,7 @@ void BoxClaims::find(const LevelPoints& points, const Segmentation& segmentation
     const std::int32_t host = segmentation.instance[i];
     Claim claim{0, -1};
     if (segmentation.pointClass[i] == PointClass::Instance) {
-      if (standing[static_cast<std::size_t>(host)]) claim = claimInside(point, host);
+      if (cuttable_[static_cast<std::size_t>(host)]) claim = claimInside(point, host);
     } else {
       const bool low = segmentation.pointClass[i] == PointClass::Ground &&
                        segmentation.heightAboveGround[i] <= residueHeight;
@@ -160,7 +185,7 @@ void BoxClaims::find(const LevelPoints& points, const Segmentation& segmentation
 }
 
 std::int32_t BoxClaims::boxAround(const Eigen::Vector3f& point, std::int32_t except) const {
-  return claimOf(point, static_cast<float>(margins_.claim), false, except);
+  return claimOf(point, static_cast<float>(margins_.claim), Takes::Nothing, except);
 }
 
 }  // namespace toss

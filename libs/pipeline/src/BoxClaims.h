@@ -21,8 +21,12 @@ class BoxClaims {
   struct Claimant {
     /// Map frame [m].
     Box box;
-    /// Whether it may turn out to move: then it takes returns out of standing instances too.
-    bool mayMove = false;
+    /// What it may take besides what is in no instance.
+    enum class Takes : std::uint8_t {
+      Nothing,  ///< too little is known of its trace
+      Cuts,     ///< returns out of standing instances: its trace may turn out to move
+      Residue   ///< cuts, and residue: its trace seems to move
+    } takes = Takes::Nothing;
     /// Instance whose box it is, 0 = none.
     std::int32_t instance = 0;
   };
@@ -53,10 +57,11 @@ class BoxClaims {
   /// Marks where returns lie that the boxes may claim.
   void markNearby(NearbyReturns& nearby) const;
   /// Replaces `claims` by those of all returns that were found nearby, by ascending point; the
-  /// smallest box wins. `standing`: whether instance k may be cut, shape [instanceCount + 1].
+  /// smallest box wins. `standing`: whether instance k may be cut, shape [instanceCount + 1]; one
+  /// that has a box is cut only where another box reaches into that.
   void find(const LevelPoints& points, const Segmentation& segmentation,
             const NearbyReturns& nearby, const std::vector<bool>& standing,
-            std::vector<Claim>& claims) const;
+            std::vector<Claim>& claims);
 
   /// Smallest box that holds the point [m, level frame], leaving out the box of
   /// claimant `except`; -1 = none.
@@ -66,8 +71,10 @@ class BoxClaims {
   /// Upright box in the level frame, ready to be tested.
   struct Footprint {
     float x, y, cosYaw, sinYaw, halfLength, halfWidth, low, high;
-    bool mayMove;
+    Claimant::Takes takes;
     std::int32_t instance;
+    /// The rectangle along the axes around all that it may claim.
+    Eigen::AlignedBox2f claimed;
 
     /// The rectangle along the axes around it, grown by `margin`.
     Eigen::AlignedBox2f extent(float margin) const;
@@ -78,9 +85,19 @@ class BoxClaims {
   struct Entry {
     std::int32_t box, next;
   };
+  /// A square of the ground plane.
+  struct Cell {
+    /// First entry, -1 = none.
+    std::int32_t first = -1;
+    /// The most that any box in it takes.
+    Claimant::Takes most = Claimant::Takes::Nothing;
+  };
   void enter(const Claimant& claimant, std::int32_t number, const Eigen::Vector3d& sensorPosition);
   float reachOf(const Footprint& footprint) const;
-  std::int32_t claimOf(const Eigen::Vector3f& point, float margin, bool byMoversOnly,
+  /// Whether another box that takes more than nothing reaches into a box.
+  bool isMet(std::size_t number) const;
+  /// Smallest box that holds the point when grown by `margin`, of those that take at least `least`.
+  std::int32_t claimOf(const Eigen::Vector3f& point, float margin, Claimant::Takes least,
                        std::int32_t except) const;
   std::int32_t residueOf(const Eigen::Vector3f& point) const;
   Claim claimOutside(const Eigen::Vector3f& point, bool low) const;
@@ -89,8 +106,10 @@ class BoxClaims {
   Margins margins_;
   double residueHeight_;
   std::vector<Footprint> footprints_;
-  /// First entry of each cell, -1 where there is none, shape [kCells * kCells].
-  std::vector<std::int32_t> grid_;
+  /// Whether instance k may be cut, shape [instanceCount + 1].
+  std::vector<bool> cuttable_;
+  /// Shape [kCells * kCells].
+  std::vector<Cell> grid_;
   std::vector<Entry> entries_;
   /// Cells that have entries.
   std::vector<std::size_t> usedCells_;

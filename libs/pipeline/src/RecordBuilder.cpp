@@ -17,15 +17,21 @@ std::vector<std::int32_t> tracesOf(const std::vector<Detection>& detections,
   return traces;
 }
 
-/// Whether a trace moves, or may turn out to have moved when more of it has been seen.
-bool mayMove(const Track& track) {
-  return isDynamic(track.motion) || track.confirmed;
+/// A trace that stands may turn out to move when more of it has been seen, as a parked car does
+/// that leaves; of what lies beside it then, only little is its residue.
+BoxClaims::Claimant::Takes takesOf(const Track& track) {
+  using Takes = BoxClaims::Claimant::Takes;
+  constexpr double kSlowest = 0.2;
+  if (isDynamic(track.motion)) return Takes::Residue;
+  if (!track.confirmed) return Takes::Nothing;
+  return track.speed() > kSlowest ? Takes::Residue : Takes::Cuts;
 }
 
-/// Claims that the same owner has are alike in this; those of greater keys come later.
+/// Claims that the same owner has are alike in this. The lower bits differ most, as hashing wants.
 std::uint64_t ownerKey(const BoxClaims::Claim& claim) {
-  return static_cast<std::uint64_t>(claim.claimant) << 32 |
-         static_cast<std::uint64_t>(claim.host) << 1 | static_cast<std::uint64_t>(claim.residue);
+  return static_cast<std::uint64_t>(claim.host) << 32 |
+         static_cast<std::uint64_t>(claim.claimant) << 1 |
+         static_cast<std::uint64_t>(claim.residue);
 }
 
 /// Memory fresh from the system costs more than what is written into it.
@@ -50,20 +56,16 @@ void RecordBuilder::addInstances(const std::vector<Detection>& detections, const
 }
 
 void RecordBuilder::addOwners(const std::vector<Track>& tracks, ScanRecord& record) {
-  ownerKeys_.clear();
-  for (const BoxClaims::Claim& claim : foundClaims_) ownerKeys_.push_back(ownerKey(claim));
-  std::sort(ownerKeys_.begin(), ownerKeys_.end());
-  ownerKeys_.erase(std::unique(ownerKeys_.begin(), ownerKeys_.end()), ownerKeys_.end());
-  const std::size_t first = record.owners.size();
-  record.owners.resize(first + ownerKeys_.size());
+  claimingOwners_.clear();
   for (const BoxClaims::Claim& claim : foundClaims_) {
-    const auto found = std::lower_bound(ownerKeys_.begin(), ownerKeys_.end(), ownerKey(claim));
-    const std::size_t o = first + static_cast<std::size_t>(found - ownerKeys_.begin());
-    Owner& owner = record.owners[o];
+    const auto next = static_cast<std::int32_t>(record.owners.size());
+    const auto [place, isNew] = claimingOwners_.try_emplace(ownerKey(claim), next);
+    record.owner[static_cast<std::size_t>(claim.point)] = place->second;
+    if (claim.residue) record.residue.push_back({claim.point});
+    if (!isNew) continue;
+    Owner& owner = record.owners.emplace_back();
     owner.track = tracks[static_cast<std::size_t>(claim.claimant)].id;
     owner.host = claim.host, owner.residue = claim.residue;
-    record.owner[static_cast<std::size_t>(claim.point)] = static_cast<std::int32_t>(o);
-    if (claim.residue) record.residue.push_back({claim.point});
   }
 }
 
@@ -75,13 +77,13 @@ void RecordBuilder::addClaims(const SegmentedScan& segmented,
   claimants.reserve(tracker.tracks().size());
   for (const Track& track : tracker.tracks()) {
     if (!track.updated()) {
-      claimants.push_back({track.box, mayMove(track)});
+      claimants.push_back({track.box, takesOf(track)});
       continue;
     }
     const Detection& detection = detections[static_cast<std::size_t>(track.detection)];
     if (isDynamic(track.motion)) standing[static_cast<std::size_t>(detection.instance)] = false;
     // What was seen tells the extent of this scan better than the smoothed estimate.
-    claimants.push_back({detection.box, mayMove(track), detection.instance});
+    claimants.push_back({detection.box, takesOf(track), detection.instance});
   }
   claims_.take(claimants, record.sensorPosition);
   nearby_.clear();

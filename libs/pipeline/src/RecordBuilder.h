@@ -5,6 +5,7 @@
 #include <toss/segmentation/Segmenter.h>
 #include <toss/tracking/Tracker.h>
 #include <toss/voting/DecisionOptions.h>
+#include <tsl/robin_map.h>
 
 #include "BoxClaims.h"
 #include "ScanRecord.h"
@@ -45,8 +46,8 @@ class RecordBuilder {
   NearbyReturns nearby_;
   BoxClaims claims_;
   std::vector<BoxClaims::Claim> foundClaims_;
-  /// One for each owner that claims, see ownerKey().
-  std::vector<std::uint64_t> ownerKeys_;
+  /// Owners that claim, by what their claims have in common.
+  tsl::robin_map<std::uint64_t, std::int32_t> claimingOwners_;
   /// Memory of scans that need it no more.
   std::vector<LevelPoints> spareLevels_;
   std::vector<std::vector<float>> spareIntensities_;
