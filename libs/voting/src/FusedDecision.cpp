@@ -10,9 +10,10 @@ bool isSeenThrough(const FreeSpaceSum& evidence, double share, const DecisionOpt
 
 /// Much of it measured again, and next to nothing seen through: a wall whose visible part slides
 /// along behind a window moves like this, however far it seems to travel.
-bool isConfirmedStanding(const FreeSpaceSum& evidence, const DecisionOptions& options) {
+bool isConfirmedStanding(const FreeSpaceSum& evidence, double freeShare,
+                         const DecisionOptions& options) {
   return evidence.cells >= options.minCells && evidence.hitShare() >= options.vetoHitShare &&
-         evidence.freeShare() < options.vetoFreeShare;
+         evidence.freeShare() < freeShare;
 }
 
 /// What moves behind a bush is glimpsed past; a patch of wall seen through an opening is not.
@@ -26,7 +27,7 @@ bool isGlimpsedPast(const FreeSpaceSum& evidence, const DecisionOptions& options
 MotionClass fuseTrace(MotionClass motion, const FreeSpaceSum& evidence,
                       const DecisionOptions& options) {
   if (isSeenThrough(evidence, options.traceFreeShare, options)) return MotionClass::Strong;
-  if (isConfirmedStanding(evidence, options)) return MotionClass::Static;
+  if (isConfirmedStanding(evidence, options.vetoFreeShare, options)) return MotionClass::Static;
   if (motion == MotionClass::Doubtful)
     return isGlimpsedPast(evidence, options) ? MotionClass::Strong : MotionClass::Static;
   const bool confirmed = isSeenThrough(evidence, options.confirmFreeShare, options);
@@ -37,7 +38,8 @@ bool fuseInstance(bool voted, MotionClass trace, const FreeSpaceSum& evidence,
                   const DecisionOptions& options) {
   if (isSeenThrough(evidence, options.freeShare, options)) return true;
   // What moves at some time in its life may stand now; only a vote of others can be taken back.
-  return voted && (isDynamic(trace) || !isConfirmedStanding(evidence, options));
+  return voted &&
+         (isDynamic(trace) || !isConfirmedStanding(evidence, options.confirmFreeShare, options));
 }
 
 }  // namespace toss

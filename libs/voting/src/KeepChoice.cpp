@@ -10,7 +10,7 @@ void leanTowardsStatic(DecisionOptions& decision) {
   decision.traceFreeShare = decision.liveFreeShare = 0.5;
   decision.doubtfulGlimpsedShare = 0.5;
   decision.vetoHitShare = 0.15;
-  decision.vetoFreeShare = 0.2;
+  decision.vetoFreeShare = 0.1;
   decision.loneFreeViews = 8;
   decision.claimMargin = 0.05;
   decision.residueMargin = 0.1;
@@ -22,7 +22,6 @@ void leanTowardsRemoval(DecisionOptions& decision) {
   decision.confirmFreeShare = 0.05;
   decision.doubtfulGlimpsedShare = 0.1;
   decision.vetoHitShare = 0.7;
-  decision.vetoFreeShare = 0.05;
   decision.loneFreeViews = 3;
   decision.claimMargin = 0.25;
   decision.residueMargin = 0.3;

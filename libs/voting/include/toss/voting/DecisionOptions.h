@@ -17,7 +17,7 @@ struct DecisionOptions : Options {
   double liveFreeShare = 0.35;
   /// What was measured again by this share and seen through by less than that stays, however its
   /// trace moved.
-  double vetoHitShare = 0.5, vetoFreeShare = 0.15;
+  double vetoHitShare = 0.5, vetoFreeShare = 0.05;
   /// A trace whose motion is doubtful moves if this share of its cells is glimpsed past.
   double doubtfulGlimpsedShare = 0.2;
   /// Cells that must be seen through for the free share to count.
