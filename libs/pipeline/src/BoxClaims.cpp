@@ -29,6 +29,15 @@ std::size_t gridIndex(int row, int column) {
   return static_cast<std::size_t>(row) * kCells + static_cast<std::size_t>(column);
 }
 
+/// Calls `visit(index)` for each cell of the grid that an area of the level frame meets.
+template <typename Visit>
+void visitCells(const Eigen::AlignedBox2f& area, Visit&& visit) {
+  const int lastRow = cellOf(area.max().x()), lastColumn = cellOf(area.max().y());
+  for (int row = cellOf(area.min().x()); row <= lastRow; ++row)
+    for (int column = cellOf(area.min().y()); column <= lastColumn; ++column)
+      if (isInside(row) && isInside(column)) visit(gridIndex(row, column));
+}
+
 }  // namespace
 
 Eigen::AlignedBox2f BoxClaims::Footprint::extent(float margin) const {
@@ -68,16 +77,13 @@ void BoxClaims::enter(const Claimant& claimant, std::int32_t number,
   f.low = center.z() - static_cast<float>(0.5 * box.height + kBelowBox);
   f.high = center.z() + static_cast<float>(0.5 * box.height);
   f.claimed = f.extent(reachOf(f));
-  const int lastRow = cellOf(f.claimed.max().x()), lastColumn = cellOf(f.claimed.max().y());
-  for (int row = cellOf(f.claimed.min().x()); row <= lastRow; ++row)
-    for (int column = cellOf(f.claimed.min().y()); column <= lastColumn; ++column) {
-      if (!isInside(row) || !isInside(column)) continue;
-      Cell& cell = grid_[gridIndex(row, column)];
-      if (cell.first < 0) usedCells_.push_back(gridIndex(row, column));
-      entries_.push_back({number, cell.first});
-      cell.first = static_cast<std::int32_t>(entries_.size()) - 1;
-      cell.most = std::max(cell.most, claimant.takes);
-    }
+  visitCells(f.claimed, [&](std::size_t index) {
+    Cell& cell = grid_[index];
+    if (cell.first < 0) usedCells_.push_back(index);
+    entries_.push_back({number, cell.first});
+    cell.first = static_cast<std::int32_t>(entries_.size()) - 1;
+    cell.most = std::max(cell.most, claimant.takes);
+  });
 }
 
 void BoxClaims::take(const std::vector<Claimant>& claimants,
@@ -108,18 +114,16 @@ void BoxClaims::markNearby(NearbyReturns& nearby) const {
 
 bool BoxClaims::isMet(std::size_t number) const {
   const Eigen::AlignedBox2f own = footprints_[number].extent(0.0f);
-  const int lastRow = cellOf(own.max().x()), lastColumn = cellOf(own.max().y());
-  for (int row = cellOf(own.min().x()); row <= lastRow; ++row)
-    for (int column = cellOf(own.min().y()); column <= lastColumn; ++column) {
-      if (!isInside(row) || !isInside(column)) continue;
-      for (std::int32_t e = grid_[gridIndex(row, column)].first; e >= 0;
-           e = entries_[static_cast<std::size_t>(e)].next) {
-        const auto other = static_cast<std::size_t>(entries_[static_cast<std::size_t>(e)].box);
-        const Footprint& f = footprints_[other];
-        if (other != number && f.takes != Takes::Nothing && f.claimed.intersects(own)) return true;
-      }
+  bool met = false;
+  visitCells(own, [&](std::size_t index) {
+    for (std::int32_t e = grid_[index].first; e >= 0 && !met;
+         e = entries_[static_cast<std::size_t>(e)].next) {
+      const auto other = static_cast<std::size_t>(entries_[static_cast<std::size_t>(e)].box);
+      const Footprint& f = footprints_[other];
+      met = other != number && f.takes != Takes::Nothing && f.claimed.intersects(own);
     }
-  return false;
+  });
+  return met;
 }
 
 std::int32_t BoxClaims::claimOf(const Eigen::Vector3f& point, float margin, Takes least,

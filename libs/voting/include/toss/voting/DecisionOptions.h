@@ -27,11 +27,12 @@ struct DecisionOptions : Options {
   /// Whether boxes of traces claim returns that have no instance: feet and tyres in the ground
   /// layer, sparse returns.
   bool claims = true;
-  /// Margin by which the box of a trace claims returns that have no instance [m].
+  /// Margin by which the box of a trace claims returns that have no instance, and cuts those of
+  /// standing instances [m].
   double claimMargin = 0.15;
   /// Margin by which the box of a moving trace holds residue: ground, and what stands close beside
-  /// it [m]. Residue moves where nothing that is static was ever measured in its voxel. 0 = there
-  /// is no residue.
+  /// it [m]. Residue moves where nothing that is static was ever measured in its place, see
+  /// StaticMap::holds(). 0 = there is no residue.
   double residueMargin = 0.2;
   /// An instance with fewer returns than this that lies in the box of a trace moves with it, unless
   /// it is clearly measured again.
