@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FixedChunk.h"
 
+#include <toss/geometry/ProcessorVariants.h>
+
 #include <algorithm>
 #include <cstring>
-
-#include "ProcessorVariants.h"
 
 namespace toss {
 

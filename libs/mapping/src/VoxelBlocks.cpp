@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VoxelBlocks.h"
 
-#include <stdexcept>
+#include <toss/geometry/ProcessorVariants.h>
 
-#include "ProcessorVariants.h"
+#include <stdexcept>
 
 namespace toss {
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <toss/geometry/ProcessorVariants.h>
 #include <toss/segmentation/LevelFrame.h>
 
 namespace toss {
@@ -6,6 +7,7 @@ namespace {
 
 /// One coordinate of the level frame. The compiler vectorises it as a function of arrays that are
 /// known not to overlap.
+TOSS_ALSO_FOR_AVX2
 void combine(const Eigen::Vector3f& row, const float* __restrict x, const float* __restrict y,
              const float* __restrict z, std::size_t n, float* __restrict level) {
   const float a = row.x(), b = row.y(), c = row.z();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <toss/geometry/ProcessorVariants.h>
 #include <toss/segmentation/ObjectNodes.h>
 
 #include <algorithm>
@@ -94,11 +95,13 @@ void takeCoordinates(const LevelPoints& points, ObjectNodes& nodes) {
 
 // The compiler vectorises these only as functions of arrays that are known not to overlap.
 
+TOSS_ALSO_FOR_AVX2
 void findRanges(const float* __restrict x, const float* __restrict y, std::size_t n,
                 float* __restrict range) {
   for (std::size_t i = 0; i < n; ++i) range[i] = std::sqrt(x[i] * x[i] + y[i] * y[i]);
 }
 
+TOSS_ALSO_FOR_AVX2
 void findReaches(const LinkRules& rules, const float* __restrict range, std::size_t n,
                  float* __restrict horizontal, float* __restrict vertical,
                  std::int32_t* __restrict window) {
@@ -109,6 +112,7 @@ void findReaches(const LinkRules& rules, const float* __restrict range, std::siz
   }
 }
 
+TOSS_ALSO_FOR_AVX2
 void shortenAll(const float* __restrict distance, std::size_t n, float factor,
                 float* __restrict result) {
   for (std::size_t i = 0; i < n; ++i) result[i] = distance[i] * factor;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <toss/geometry/FastAtan2.h>
+#include <toss/geometry/ProcessorVariants.h>
 #include <toss/segmentation/RangeImageProjection.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 namespace toss {
 namespace {
 
+constexpr float kPi = 3.14159265358979f;
 constexpr int kColumnsOfUnknownSensor = 2048;
 
 ProjectionOptions checked(ProjectionOptions options, const SensorModel& sensor) {
@@ -22,11 +24,13 @@ ProjectionOptions checked(ProjectionOptions options, const SensorModel& sensor) 
 
 // The compiler vectorises these only as functions of arrays that are known not to overlap.
 
+TOSS_ALSO_FOR_AVX2
 void findAzimuths(const float* __restrict x, const float* __restrict y, std::size_t n,
                   float* __restrict azimuth) {
   for (std::size_t i = 0; i < n; ++i) azimuth[i] = fastAtan2(y[i], x[i]);
 }
 
+TOSS_ALSO_FOR_AVX2
 void findDistances(const float* __restrict x, const float* __restrict y, const float* __restrict z,
                    std::size_t n, float* __restrict distance, float* __restrict slope) {
   for (std::size_t i = 0; i < n; ++i) {
@@ -36,10 +40,30 @@ void findDistances(const float* __restrict x, const float* __restrict y, const f
   }
 }
 
+/// Written so that it is false for NaN. An infinite distance is too far rather than invalid where
+/// the coordinates themselves are finite.
+TOSS_ALSO_FOR_AVX2
+void findValid(const float* __restrict x, const float* __restrict y, const float* __restrict z,
+               const float* __restrict distance, std::size_t n, std::uint8_t* __restrict valid) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool finite = (x[i] - x[i]) + (y[i] - y[i]) + (z[i] - z[i]) == 0.0f;
+    valid[i] = static_cast<std::uint8_t>(finite & (distance[i] > 0.0f));
+  }
+}
+
+/// 0, as for an azimuth of pi, for returns that are in no pixel.
+TOSS_ALSO_FOR_AVX2
+void findColumns(const float* __restrict azimuth, const PointClass* __restrict pointClass,
+                 std::size_t n, int columns, std::uint16_t* __restrict column) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool inPixel = pointClass[i] == PointClass::Unclustered;
+    column[i] = static_cast<std::uint16_t>(columnOfAzimuth(inPixel ? azimuth[i] : kPi, columns));
+  }
+}
+
 }  // namespace
 
 float azimuthOfColumn(int column, int columns) {
-  constexpr float kPi = 3.14159265358979f;
   return kPi * (1.0f - (2.0f * static_cast<float>(column) + 1.0f) / static_cast<float>(columns));
 }
 
@@ -66,15 +90,10 @@ void RangeImageProjection::findDirections(const PointCloud& points, std::vector<
   const float* const z = points.z.data();
   findAzimuths(x, y, n, directions_.azimuth.data());
   findDistances(x, y, z, n, range.data(), directions_.slope.data());
-  std::uint8_t* const valid = directions_.valid.data();
-  // Written so that it is false for NaN. An infinite distance is too far rather than invalid where
-  // the coordinates themselves are finite.
-  for (std::size_t i = 0; i < n; ++i) {
-    const bool finite = (x[i] - x[i]) + (y[i] - y[i]) + (z[i] - z[i]) == 0.0f;
-    valid[i] = static_cast<std::uint8_t>(finite & (range[i] > 0.0f));
-  }
+  findValid(x, y, z, range.data(), n, directions_.valid.data());
 }
 
+TOSS_ALSO_FOR_AVX2
 void RangeImageProjection::classify(const PointCloud& points, RangeImage& image,
                                     std::vector<PointClass>& pointClass) {
   const std::size_t n = points.size();
@@ -97,7 +116,8 @@ void RangeImageProjection::fillPixels(const std::vector<PointClass>& pointClass,
                                       RangeImage& image) const {
   const std::size_t n = pointClass.size();
   image.next.assign(n, RangeImage::kNone);
-  image.column.assign(n, 0);
+  image.column.resize(n);
+  findColumns(directions_.azimuth.data(), pointClass.data(), n, image.columns, image.column.data());
   image.representative.assign(image.pixel(image.rows, 0), RangeImage::kNone);
   for (std::size_t i = 0; i < n; ++i) {
     if (pointClass[i] != PointClass::Unclustered) {
@@ -105,9 +125,7 @@ void RangeImageProjection::fillPixels(const std::vector<PointClass>& pointClass,
       if (pointClass[i] == PointClass::Invalid) image.range[i] = 0.0f;
       continue;
     }
-    const int column = columnOfAzimuth(directions_.azimuth[i], image.columns);
-    image.column[i] = static_cast<std::uint16_t>(column);
-    std::int32_t& head = image.representative[image.pixel(image.row[i], column)];
+    std::int32_t& head = image.representative[image.pixel(image.row[i], image.column[i])];
     const auto point = static_cast<std::int32_t>(i);
     if (head == RangeImage::kNone) {
       head = point;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <toss/geometry/ProcessorVariants.h>
 #include <toss/segmentation/RowRuns.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@ std::size_t at(std::int32_t index) {
 }
 
 // The compiler vectorises this only as a function of arrays that are known not to overlap.
+TOSS_ALSO_FOR_AVX2
 void linkNeighbours(const float* __restrict x, const float* __restrict y,
                     const std::int32_t* __restrict column, const float* __restrict distance,
                     const std::int32_t* __restrict window, std::size_t n,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <toss/geometry/FastAtan2.h>
+#include <toss/geometry/ProcessorVariants.h>
 #include <toss/visibility/RangeView.h>
 
 #include <algorithm>
@@ -67,6 +68,7 @@ void RangeView::fillRowTable(const std::vector<float>& elevations) {
   }
 }
 
+TOSS_ALSO_FOR_AVX2
 void RangeView::fillRanges(const RangeImage& image, const PointCloud& points,
                            Scratch& scratch) const {
   const auto width = static_cast<std::size_t>(columns_);
@@ -90,6 +92,7 @@ void RangeView::fillRanges(const RangeImage& image, const PointCloud& points,
   std::fill(scratch.ranges.end() - columns_, scratch.ranges.end(), kEmpty);
 }
 
+TOSS_ALSO_FOR_AVX2
 void RangeView::fillPixels(Scratch& scratch) {
   const auto width = static_cast<std::size_t>(columns_);
   const auto finite = [](float range) { return range < kEmpty ? range : 0.0f; };
@@ -125,6 +128,7 @@ void RangeView::fillPixels(Scratch& scratch) {
   }
 }
 
+TOSS_ALSO_FOR_AVX2
 void RangeView::testify(const float* x, const float* y, const float* z, std::size_t count,
                         const Eigen::Vector3d& position, std::uint8_t* freeViews,
                         std::uint8_t* hitViews, std::uint8_t* glimpseViews) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -33,15 +34,18 @@ class TriGridField {
   /// Node of a position [m, level frame]; -1 outside the field and for NaN.
   int nodeOf(float x, float y) const {
     const auto limit = static_cast<float>(side_);
-    float u = (x + half_) * squaresPerMetre_, v = (y + half_) * squaresPerMetre_;
+    const float u = (x + half_) * squaresPerMetre_, v = (y + half_) * squaresPerMetre_;
     const bool inside = (u >= 0.0f) & (v >= 0.0f) & (u < limit) & (v < limit);
-    u = inside ? u : 0.0f, v = inside ? v : 0.0f;
-    const int row = static_cast<int>(u), column = static_cast<int>(v);
-    const float dx = u - static_cast<float>(row) - 0.5f, dy = v - static_cast<float>(column) - 0.5f;
+    // Arithmetic throughout, so that loops over it are vectorised.
+    const float heldU = std::min(std::max(0.0f, u), limit),
+                heldV = std::min(std::max(0.0f, v), limit);
+    const int row = static_cast<int>(heldU), column = static_cast<int>(heldV);
+    const float dx = heldU - static_cast<float>(row) - 0.5f;
+    const float dy = heldV - static_cast<float>(column) - 0.5f;
     // Which side of either diagonal; a position on a diagonal belongs to one of its two sides.
-    const int left = dy >= dx ? 1 : 0;
-    const int triangle = dy >= -dx ? left : 3 - left;
-    return inside ? 4 * (row * side_ + column) + triangle : -1;
+    const int left = static_cast<int>(dy >= dx), below = static_cast<int>(dy < -dx);
+    const int triangle = left ^ (3 * below);
+    return (4 * (row * side_ + column) + triangle) | -static_cast<int>(!inside);
   }
 
   /// The two corners of a node in counter-clockwise order, and its centre vertex.
