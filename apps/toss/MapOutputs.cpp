@@ -51,6 +51,7 @@ MapOutputs::MapOutputs(const MapRequest& request, const RenderOptions& render)
       labels_(folder_ / "labels"),
       liveLabels_(folderIf(request.liveLabels, folder_ / "live_labels")),
       instances_(folderIf(request.instances, folder_ / "instances")),
+      metricMap_(folder_ / "static_map.metricmap"),
       tracks_(folder_ / "tracks.csv"),
       filtered_(folder_ / "filtered.rawlog"),
       staticSample_(static_cast<std::size_t>(render.maxPoints)),
@@ -129,22 +130,21 @@ void MapOutputs::removeEarlierRun() const {
 }
 
 void MapOutputs::writeStaticMap(const MultiLidarPipeline& pipeline) {
-  PlyWriter map(folder_ / "static_map.ply", PlyWriter::Layout::Points, content_.offset);
+  const fs::path file = folder_ / "static_map.ply";
+  staticMap_ = std::make_unique<PlyWriter>(file, PlyWriter::Layout::Points, pipeline.mapOffset());
   pipeline.visitStaticMap([&](const MapPoint& point) {
-    map.add(point);
+    staticMap_->add(point);
     staticSample_.add(point);
   });
-  counts_.mapPoints = map.count();
-  map.finish();
+  staticMap_->close();
+  copyToMetricMap(staticMap_->temporaryPath(), metricMap_);
 }
 
-void MapOutputs::copyStaticMap() const {
-  copyToMetricMap(folder_ / "static_map.ply", folder_ / "static_map.metricmap");
-}
-
-void MapOutputs::finish(const MultiLidarPipeline& pipeline) {
+void MapOutputs::finish() {
   removeEarlierRun();
-  writeStaticMap(pipeline);
+  counts_.mapPoints = staticMap_->count();
+  staticMap_->finish();
+  metricMap_.commit();
   movingPoints_->finish();
   tracks_.finish();
   filtered_.finish();
@@ -152,9 +152,9 @@ void MapOutputs::finish(const MultiLidarPipeline& pipeline) {
   if (liveLabels_) liveLabels_->commit();
   if (instances_) instances_->commit();
   writeTimings();
-  content_.staticPoints = staticSample_.points();
+  content_.staticPoints = staticSample_.take();
   content_.staticCount = counts_.mapPoints;
-  content_.movingPoints = movingSample_.points();
+  content_.movingPoints = movingSample_.take();
   for (const auto& [label, paths] : paths_) {
     for (TrackPath& path : paths.paths()) content_.tracks.push_back(std::move(path));
     counts_.movingTracks += paths.count();

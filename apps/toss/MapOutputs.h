@@ -3,6 +3,7 @@
 
 #include <toss/pipeline/MultiLidarPipeline.h>
 #include <toss/pipeline/ScanLabels.h>
+#include <toss/rawlog/AtomicFile.h>
 #include <toss/rawlog/AtomicFolder.h>
 #include <toss/rawlog/FilteredRawlogWriter.h>
 #include <toss/rawlog/PlyFile.h>
@@ -42,11 +43,10 @@ class MapOutputs {
   /// `offset` [m]: taken off all coordinates of maps and pictures, the same for all scans.
   void addSettled(const PosedScan& scan, const ScanLabels& labels, const Eigen::Vector3d& offset);
   void addTimes(std::uint64_t scan, const std::vector<std::pair<std::string, double>>& times);
-  /// Writes what is left and gives all files their names, but what copyStaticMap() writes. Files of
-  /// an earlier run are gone then.
-  void finish(const MultiLidarPipeline& pipeline);
-  /// Writes static_map.metricmap from static_map.ply, after finish().
-  void copyStaticMap() const;
+  /// Writes the map, which is final, in both its forms; may run beside addSettled().
+  void writeStaticMap(const MultiLidarPipeline& pipeline);
+  /// Writes what is left and gives all files their names. Files of an earlier run are gone then.
+  void finish();
 
   /// What pictures show; complete after finish().
   const MapContent& content() const { return content_; }
@@ -59,7 +59,6 @@ class MapOutputs {
  private:
   void removeEarlierRun() const;
   void addMoving(const PosedScan& scan, const ScanLabels& labels);
-  void writeStaticMap(const MultiLidarPipeline& pipeline);
   void writeTimings() const;
 
   std::filesystem::path folder_;
@@ -68,6 +67,9 @@ class MapOutputs {
   std::unique_ptr<AtomicFolder> liveLabels_, instances_;
   /// Made with the first scan, which tells the offset.
   std::unique_ptr<PlyWriter> movingPoints_;
+  /// Made with the map.
+  std::unique_ptr<PlyWriter> staticMap_;
+  AtomicFile metricMap_;
   TracksCsvWriter tracks_;
   FilteredRawlogWriter filtered_;
   /// By label of the LiDAR, whose scans hold its own traces only.

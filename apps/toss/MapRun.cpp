@@ -56,7 +56,7 @@ struct Passage {
 
 /// The stages of the program around the pipeline: reading, the method in two steps, and the writing
 /// of settled scans in three, of which only that of the label files, one each, does not go in
-/// order.
+/// order. What is left at the end of the log goes through the last three while the map is written.
 class MapRunner {
  public:
   MapRunner(const MapRequest& request, const std::vector<LidarSetup>& lidars,
@@ -80,24 +80,12 @@ class MapRunner {
             tbb::make_filter<Item, Item>(inOrder, [&](Item item) { return segment(item); }) &
             tbb::make_filter<Item, Item>(inOrder, [&](Item item) { return process(item); }) &
             writing());
-    pipeline_.finish();
-    std::vector<ScanLabels> left = pipeline_.takeSettled();
-    auto next = left.begin();
-    tbb::parallel_pipeline(kScansInFlight,
-                           tbb::make_filter<void, Item>(inOrder, [&](tbb::flow_control& flow) {
-                             const Item item = spareOrNew();
-                             item->ofScan = false;
-                             item->settled.resize(1);
-                             if (next == left.end())
-                               flow.stop();
-                             else
-                               item->settled.front().labels = std::move(*next++);
-                             return item;
-                           }) & writing());
     if (written_ == 0)
       throw UserError(request_.input.string(), "no scan in the chosen range has a pose",
                       "look at it with toss info");
-    outputs_.finish(pipeline_);
+    pipeline_.decideRest();
+    tbb::parallel_invoke([&] { settleRest(); }, [&] { outputs_.writeStaticMap(pipeline_); });
+    outputs_.finish();
   }
 
   const MapOutputs& outputs() const { return outputs_; }
@@ -116,6 +104,21 @@ class MapRunner {
              write(*item);
              spares_.push(item);
            });
+  }
+
+  void settleRest() {
+    tbb::parallel_pipeline(
+        kScansInFlight,
+        tbb::make_filter<void, Item>(tbb::filter_mode::serial_in_order,
+                                     [&](tbb::flow_control& flow) {
+                                       const Item item = spareOrNew();
+                                       item->ofScan = false;
+                                       item->settled.resize(1);
+                                       if (!pipeline_.settleNext(item->settled.front().labels))
+                                         flow.stop();
+                                       return item;
+                                     }) &
+            writing());
   }
 
   /// Memory fresh from the system costs more than what is written into it.
@@ -257,8 +260,7 @@ void runMap(const MapRequest& request, const Verbosity& verbosity) {
   MapRunner runner(request, lidars, input, verbosity.quiet);
   runner.run();
   if (found) found->commit(configuration);
-  tbb::parallel_invoke([&] { draw(request, runner.outputs().content(), configuration.render); },
-                       [&] { runner.outputs().copyStaticMap(); });
+  draw(request, runner.outputs().content(), configuration.render);
   for (LidarSetup& lidar : lidars) lidar.configuration.input = configuration.input;
   lidars.front().configuration.sensor = configuration.sensor;
   writeTextAtomically(request.output / "config.ini", configurationText(lidars));

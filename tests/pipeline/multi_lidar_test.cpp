@@ -124,6 +124,17 @@ TEST(MultiLidar, CountsTheReturnsOfAllInAVoxel) {
   EXPECT_LT(both, front + rear);
 }
 
+TEST(MultiLidar, SettlesInStepsInOrderOfComing) {
+  const auto scans = scansOfBoth(15);
+  const BothRun whole = runOfBoth(scans, {});
+  BothRun inSteps({});
+  for (const PosedScan& scan : scans) inSteps.process(scan);
+  inSteps.pipeline.decideRest();
+  for (ScanLabels labels; inSteps.pipeline.settleNext(labels);) inSteps.settled.push_back(labels);
+  expectSameLabels(inSteps.settled, whole.settled);
+  EXPECT_TRUE(sameMap(inSteps.pipeline.staticMap(), whole.pipeline.staticMap()));
+}
+
 TEST(MultiLidar, NumbersTracesOnce) {
   const auto scans = scansOfBoth(15);
   const BothRun both = runOfBoth(scans, {});

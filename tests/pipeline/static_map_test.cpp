@@ -66,6 +66,21 @@ TEST(PipelineMap, BeforeTheEndIsThatOfTheScansTakenIn) {
       sameMap(run.pipeline->staticMap(), runOf(scans, everyReturn()).pipeline->staticMap()));
 }
 
+TEST(PipelineMap, IsFinalBeforeTheLastLabelsAreMade) {
+  const auto scans = crossingScans(30);
+  for (const PipelineOptions& options : {PipelineOptions(), everyReturn()}) {
+    const PipelineRun whole = runOf(scans, options);
+    PipelineRun inSteps(options);
+    for (const SimulatedScan& each : scans) inSteps.process(each.scan);
+    inSteps.pipeline->decideRest();
+    for (ScanLabels labels; inSteps.pipeline->settleNext(labels);) {
+      inSteps.settled.push_back(labels);
+      EXPECT_TRUE(sameMap(inSteps.pipeline->staticMap(), whole.pipeline->staticMap()));
+    }
+    expectSameLabels(inSteps.settled, whole.settled);
+  }
+}
+
 TEST(PipelineMap, IsEmptyBeforeTheFirstScan) {
   PipelineRun run;
   EXPECT_TRUE(run.pipeline->staticMap().empty());

@@ -57,7 +57,9 @@ TEST(MetricMapTest, CopyOfAPlyIsTheObjectThatMrptWrites) {
   }
   for (const auto& all : {points, std::vector<MapPoint>(), std::vector<MapPoint>{{1, 2, 3, 4}}}) {
     writePly(folder / "map.ply", all);
-    copyToMetricMap(folder / "map.ply", folder / "copy.metricmap");
+    AtomicFile copy(folder / "copy.metricmap");
+    copyToMetricMap(folder / "map.ply", copy);
+    copy.commit();
     writeMetricMap(folder / "direct.metricmap", all);
     EXPECT_TRUE(inflated(folder / "copy.metricmap") == inflated(folder / "direct.metricmap"));
   }

@@ -86,6 +86,20 @@ void MultiLidarPipeline::finish() {
   }
 }
 
+void MultiLidarPipeline::decideRest() {
+  for (auto& [label, lidar] : lidars_) lidar.pipeline->decideRest();
+}
+
+bool MultiLidarPipeline::settleNext(ScanLabels& labels) {
+  if (order_.empty()) return false;
+  Lidar& lidar = *order_.front();
+  order_.pop_front();
+  if (lidar.settled.empty()) return lidar.pipeline->settleNext(labels);
+  labels = std::move(lidar.settled.front());
+  lidar.settled.pop_front();
+  return true;
+}
+
 std::vector<MapPoint> MultiLidarPipeline::staticMap() const {
   return any() ? any()->staticMap() : std::vector<MapPoint>();
 }

@@ -45,13 +45,26 @@ const ScanLabels& Pipeline::process(const PosedScan& scan, FirstStages& first) {
   stages.vote(scan);
   stages.labelLive();
   stages.commitComplete(false);
-  stages.settle(false);
+  stages.settleDue();
   return stages.live;
 }
 
 void Pipeline::finish() {
+  decideRest();
+  for (ScanLabels labels; settleNext(labels);)
+    implementation_->settled.push_back(std::exchange(labels, {}));
+}
+
+void Pipeline::decideRest() {
   implementation_->commitComplete(true);
-  implementation_->settle(true);
+  implementation_->decideAll();
+}
+
+bool Pipeline::settleNext(ScanLabels& labels) {
+  Implementation& stages = *implementation_;
+  if (stages.records.empty()) return false;
+  stages.settleFirst(labels);
+  return true;
 }
 
 const SegmentedScan& Pipeline::segmentedScan() const {
@@ -63,7 +76,7 @@ std::vector<ScanLabels> Pipeline::takeSettled() {
 }
 
 void Pipeline::Implementation::updateMap() const {
-  for (std::size_t i = 0; i < committed; ++i)
+  for (std::size_t i = decided; i < committed; ++i)
     updateLedgers(records[i], judge.final(records[i], false), *shared->map);
 }
 

@@ -132,21 +132,25 @@ void Pipeline::Implementation::commitComplete(bool all) {
   clock.lap("mapping");
 }
 
-void Pipeline::Implementation::settleFirst() {
-  ScanRecord& record = records.front();
-  const std::vector<bool> moving = judge.final(record, true);
-  updateLedgers(record, moving, *shared->map);
-  releaseResidue(moving, *shared->map, record);
+void Pipeline::Implementation::decide(ScanRecord& record) {
+  record.moving = judge.final(record, true);
+  updateLedgers(record, record.moving, *shared->map);
+  releaseResidue(record.moving, *shared->map, record);
   settleLedgers(record, *shared->map);
-  settled.emplace_back();
+  ++decided;
+}
+
+void Pipeline::Implementation::settleFirst(ScanLabels& labels) {
+  ScanRecord& record = records.front();
   labelScan(
-      record, moving, [&](TrackId id) { return isDynamic(traces.finalClass(id, true)); },
-      settled.back());
+      record, record.moving, [&](TrackId id) { return isDynamic(traces.finalClass(id, true)); },
+      labels);
   for (const Owner& owner : record.owners)
     if (owner.votes) voting.release(owner.box);
   builder.reuseOwners(record);
   records.pop_front();
   --committed;
+  --decided;
   forgetOld();
 }
 
@@ -158,22 +162,23 @@ void Pipeline::Implementation::forgetOld() {
   if (options.voting.horizon > 0.0) voting.forgetBefore(oldest.time);
 }
 
-void Pipeline::Implementation::settle(bool all) {
+void Pipeline::Implementation::settleDue() {
   const double horizon = options.voting.horizon;
-  if (all) {
-    for (const ScanRecord& record : records) setFinalClasses(record, true);
-    // Residue of the first asks for what the last leaves in the map.
-    for (std::size_t i = 0; i < committed; ++i)
-      updateLedgers(records[i], judge.final(records[i], true), *shared->map);
-  }
-  const auto isDue = [&](const ScanRecord& record) {
-    return all || (horizon > 0.0 && records.back().time - record.time > horizon);
-  };
-  while (committed > 0 && isDue(records.front())) {
-    if (!all) setFinalClasses(records.front(), true);
-    settleFirst();
+  while (horizon > 0.0 && committed > 0 && records.back().time - records.front().time > horizon) {
+    setFinalClasses(records.front(), true);
+    decide(records.front());
+    settled.emplace_back();
+    settleFirst(settled.back());
   }
   clock.lap("settling");
+}
+
+void Pipeline::Implementation::decideAll() {
+  for (const ScanRecord& record : records) setFinalClasses(record, true);
+  // Residue of the first asks for what the last leaves in the map.
+  for (const ScanRecord& record : records)
+    updateLedgers(record, judge.final(record, true), *shared->map);
+  for (ScanRecord& record : records) decide(record);
 }
 
 }  // namespace toss

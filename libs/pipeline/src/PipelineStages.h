@@ -38,8 +38,12 @@ struct Pipeline::Implementation {
   void labelLive();
   /// Stage 8: scans on which all views have testified enter the map; with `all`, every scan.
   void commitComplete(bool all);
-  /// Labels that nothing can change any more become final; with `all`, every label.
-  void settle(bool all);
+  /// Labels that nothing can change any more become final.
+  void settleDue();
+  /// Decides about all scans that are left, which are in the map.
+  void decideAll();
+  /// Makes the labels of the first scan, which is decided, and forgets it.
+  void settleFirst(ScanLabels& labels);
 
   /// The map by present knowledge of all pipelines that share it; nullptr before there is one.
   const StaticMap* presentMap() const;
@@ -47,7 +51,8 @@ struct Pipeline::Implementation {
   void updateMap() const;
   void takeEvidence(const EvidenceCells& cells, ScanRecord& record);
   void setFinalClasses(const ScanRecord& record, bool last);
-  void settleFirst();
+  /// What a scan leaves in the map, and says of its residue, when its owners' fate is known.
+  void decide(ScanRecord& record);
   void forgetOld();
 
   PipelineOptions options;
@@ -67,9 +72,10 @@ struct Pipeline::Implementation {
   std::vector<Detection> detections;
   std::vector<FreeSpaceSum> pastEvidence;
   std::int64_t scanNumber = 0;
-  /// Scans whose labels are not final, in order of time; the first `committed` are in the map.
+  /// Scans whose labels are not final, in order of time; the first `committed` are in the map, and
+  /// of these the first `decided` only wait for their labels to be made.
   std::deque<ScanRecord> records;
-  std::size_t committed = 0;
+  std::size_t committed = 0, decided = 0;
   std::vector<ScanLabels> settled;
   ScanLabels live;
   StageClock clock;

@@ -59,6 +59,8 @@ struct ScanRecord {
   std::vector<std::int32_t> loneMovers;
   /// owners[0] is nobody; instance k is owners[k]; claims follow.
   std::vector<Owner> owners;
+  /// Which of them move, shape [owners]; set when that is known for good.
+  std::vector<bool> moving;
   /// Ledger of owners[0] in the static map; the others follow.
   BoxId firstLedger = 0;
   std::vector<TrackSample> tracks;

@@ -13,13 +13,12 @@ namespace toss {
 namespace {
 
 constexpr std::size_t kBlockBytes = std::size_t{1} << 20, kBlocks = 8;
-/// The fastest: a higher one gains little on floats.
-constexpr int kLevel = 1;
 
 }  // namespace
 
 struct GzBlocks::Block {
-  Block() : compressor(libdeflate_alloc_compressor(kLevel), &libdeflate_free_compressor) {
+  explicit Block(int level)
+      : compressor(libdeflate_alloc_compressor(level), &libdeflate_free_compressor) {
     if (!compressor) throw std::bad_alloc();
     compressed.resize(libdeflate_gzip_compress_bound(compressor.get(), kBlockBytes));
   }
@@ -33,14 +32,14 @@ struct GzBlocks::Block {
   std::size_t size = 0, compressedSize = 0;
 };
 
-GzBlocks::GzBlocks(std::FILE* file) : file_(file) {}
+GzBlocks::GzBlocks(std::FILE* file, int level) : file_(file), level_(level) {}
 
 GzBlocks::~GzBlocks() = default;
 
 bool GzBlocks::write(const void* bytes, std::size_t count) {
   const char* next = static_cast<const char*>(bytes);
   while (count > 0) {
-    if (full_ == blocks_.size()) blocks_.push_back(std::make_unique<Block>());
+    if (full_ == blocks_.size()) blocks_.push_back(std::make_unique<Block>(level_));
     Block& block = *blocks_[full_];
     const std::size_t step = std::min(count, kBlockBytes - block.size);
     std::memcpy(block.bytes.data() + block.size, next, step);
@@ -71,7 +70,7 @@ bool GzBlocks::writeBlocks(std::size_t count) {
 }
 
 bool GzBlocks::finish() {
-  if (blocks_.empty()) blocks_.push_back(std::make_unique<Block>());
+  if (blocks_.empty()) blocks_.push_back(std::make_unique<Block>(level_));
   // A file of no bytes is one empty member.
   const bool rest = full_ < blocks_.size() && blocks_[full_]->size > 0;
   const std::size_t count = full_ + (rest || (full_ == 0 && !written_));

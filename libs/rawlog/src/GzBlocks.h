@@ -12,8 +12,9 @@ namespace toss {
 /// readers of gz take for one. What is written does not depend on the number of threads.
 class GzBlocks {
  public:
-  /// `file`: where the members go; outlives this object.
-  explicit GzBlocks(std::FILE* file);
+  /// `file`: where the members go; outlives this object. `level`: 1 compresses fastest, 12 best; 0
+  /// stores the bytes as they are, with their checksum.
+  GzBlocks(std::FILE* file, int level);
   ~GzBlocks();
 
   /// Takes bytes; false where they can not be compressed or written, with errno where it is known.
@@ -26,6 +27,7 @@ class GzBlocks {
   bool writeBlocks(std::size_t count);
 
   std::FILE* file_;
+  int level_;
   std::vector<std::unique_ptr<Block>> blocks_;
   /// Those that are full.
   std::size_t full_ = 0;

@@ -5,7 +5,6 @@
 #include <mrpt/maps/CPointsMapXYZI.h>
 #include <mrpt/serialization/CArchive.h>
 #include <toss/geometry/Error.h>
-#include <toss/rawlog/AtomicFile.h>
 #include <toss/rawlog/MetricMapFile.h>
 
 #include <algorithm>
@@ -42,31 +41,29 @@ void copyColumn(const std::filesystem::path& ply, std::size_t column, OutputStre
   }
 }
 
-std::uint32_t countOf(const std::filesystem::path& ply) {
+std::uint32_t countOf(const std::filesystem::path& ply, const AtomicFile& file) {
   std::ifstream in(ply, std::ios::binary);
   const std::uint64_t rows = readPlyHeader(in, ply).rows;
   if (rows > std::numeric_limits<std::uint32_t>::max())
-    throw UserError(ply.string(), "holds more points than a map of MRPT can",
+    throw UserError(file.finalPath().string(), "would hold more points than a map of MRPT can",
                     "raise map.voxel_size");
   return static_cast<std::uint32_t>(rows);
 }
 
 }  // namespace
 
-void copyToMetricMap(const std::filesystem::path& ply, const std::filesystem::path& file) {
+void copyToMetricMap(const std::filesystem::path& ply, const AtomicFile& file) {
   // An object: length of the name of its class with the highest bit set, name, version; then the
   // number of points.
   const std::string empty = serializedEmptyMap();
   const std::size_t head = 2 + (static_cast<unsigned char>(empty[0]) & 0x7fu);
-  const std::uint32_t count = countOf(ply);
-  writeAtomically(file, [&](const std::filesystem::path& temporary) {
-    OutputStream out(temporary, file.string(), OutputStream::Format::Gz);
-    out.Write(empty.data(), head);
-    out.Write(&count, sizeof count);
-    for (std::size_t column = 0; column < kColumns; ++column) copyColumn(ply, column, out);
-    out.Write(empty.data() + head + sizeof count, empty.size() - head - sizeof count);
-    out.close();
-  });
+  const std::uint32_t count = countOf(ply, file);
+  OutputStream out(file.temporaryPath(), file.finalPath().string(), OutputStream::Format::GzStored);
+  out.Write(empty.data(), head);
+  out.Write(&count, sizeof count);
+  for (std::size_t column = 0; column < kColumns; ++column) copyColumn(ply, column, out);
+  out.Write(empty.data() + head + sizeof count, empty.size() - head - sizeof count);
+  out.close();
 }
 
 }  // namespace toss

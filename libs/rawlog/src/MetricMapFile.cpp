@@ -45,7 +45,7 @@ void writeMetricMap(const std::filesystem::path& file, const std::vector<MapPoin
 void writeObjectFile(const std::filesystem::path& file,
                      const mrpt::serialization::CSerializable& object) {
   writeAtomically(file, [&](const std::filesystem::path& temporary) {
-    OutputStream out(temporary, file.string(), OutputStream::Format::Gz);
+    OutputStream out(temporary, file.string(), OutputStream::Format::GzStored);
     out.writeObject(object);
     out.close();
   });

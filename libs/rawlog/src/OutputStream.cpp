@@ -31,7 +31,8 @@ OutputStream::OutputStream(const std::filesystem::path& file, std::string shownA
   handle_->file = std::fopen(file.c_str(), "wb");
   if (!handle_->file) fail(errno);
   std::setvbuf(handle_->file, nullptr, _IOFBF, std::size_t{1} << 18);
-  if (format == Format::Gz) handle_->gz = std::make_unique<GzBlocks>(handle_->file);
+  if (format != Format::Plain)
+    handle_->gz = std::make_unique<GzBlocks>(handle_->file, format == Format::Gz ? 1 : 0);
 }
 
 OutputStream::~OutputStream() = default;

@@ -62,6 +62,7 @@ struct PlyWriter::Implementation {
   OutputStream out;
   std::uint64_t count = 0;
   std::vector<float> buffer;
+  bool closed = false;
 };
 
 PlyWriter::PlyWriter(const std::filesystem::path& file, Layout layout,
@@ -81,13 +82,23 @@ std::uint64_t PlyWriter::count() const {
   return implementation_->count;
 }
 
-void PlyWriter::finish() {
+void PlyWriter::close() {
   Implementation& self = *implementation_;
+  if (self.closed) return;
   self.flush();
   self.out.Seek(0);
   self.writeHeader();
   self.out.close();
-  self.file.commit();
+  self.closed = true;
+}
+
+std::filesystem::path PlyWriter::temporaryPath() const {
+  return implementation_->file.temporaryPath();
+}
+
+void PlyWriter::finish() {
+  close();
+  implementation_->file.commit();
 }
 
 void writePly(const std::filesystem::path& file, const std::vector<MapPoint>& points,

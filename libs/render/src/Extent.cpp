@@ -12,13 +12,19 @@ namespace {
 // Quantiles of a sample of this size are within a fraction of a percent of those of the map.
 constexpr std::size_t kQuantileSample = 200000;
 
-std::vector<float> sampleOf(const std::vector<MapPoint>& points, float MapPoint::*member) {
-  std::vector<float> values;
+std::vector<MapPoint> sampleOf(const std::vector<MapPoint>& points) {
+  std::vector<MapPoint> sample;
   for (const std::uint32_t index : sampleIndices(points.size(), kQuantileSample)) {
     const MapPoint& point = points[index];
-    if (std::isfinite(point.x + point.y + point.z + point.intensity))
-      values.push_back(point.*member);
+    if (std::isfinite(point.x + point.y + point.z + point.intensity)) sample.push_back(point);
   }
+  return sample;
+}
+
+std::vector<float> valuesOf(const std::vector<MapPoint>& sample, float MapPoint::*member) {
+  std::vector<float> values;
+  values.reserve(sample.size());
+  for (const MapPoint& point : sample) values.push_back(point.*member);
   return values;
 }
 
@@ -73,11 +79,12 @@ Extent fullExtent(const std::vector<MapPoint>& points) {
 
 Extent robustExtent(const std::vector<MapPoint>& points) {
   const Extent full = fullExtent(points);
+  const std::vector<MapPoint> sample = sampleOf(points);
+  if (sample.empty()) return full;
   Extent extent;
   constexpr float MapPoint::*kMembers[] = {&MapPoint::x, &MapPoint::y, &MapPoint::z};
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    std::vector<float> values = sampleOf(points, kMembers[axis]);
-    if (values.empty()) return full;
+    std::vector<float> values = valuesOf(sample, kMembers[axis]);
     const ValueRange range = quantiles(values, 0.002);
     const double low = range.low, high = range.high;
     const double margin = 0.02 * (high - low);
@@ -114,11 +121,11 @@ float ValueRange::position(float value) const {
 }
 
 ValueRange heightRange(const std::vector<MapPoint>& points) {
-  return rangeOf(sampleOf(points, &MapPoint::z), 0.5f);
+  return rangeOf(valuesOf(sampleOf(points), &MapPoint::z), 0.5f);
 }
 
 ValueRange intensityRange(const std::vector<MapPoint>& points) {
-  return rangeOf(sampleOf(points, &MapPoint::intensity), 1e-3f);
+  return rangeOf(valuesOf(sampleOf(points), &MapPoint::intensity), 1e-3f);
 }
 
 }  // namespace toss

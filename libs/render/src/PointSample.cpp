@@ -2,6 +2,7 @@
 #include <toss/render/PointSample.h>
 
 #include <stdexcept>
+#include <utility>
 
 namespace toss {
 namespace {
@@ -43,6 +44,12 @@ void PointSample::thin() {
   }
   points_.resize(kept);
   numbers_.resize(kept);
+}
+
+std::vector<MapPoint> PointSample::take() {
+  std::vector<MapPoint> taken = std::move(points_);
+  *this = PointSample(limit_);
+  return taken;
 }
 
 std::vector<std::uint32_t> sampleIndices(std::size_t n, std::size_t limit) {

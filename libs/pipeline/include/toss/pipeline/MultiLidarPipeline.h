@@ -45,6 +45,9 @@ class MultiLidarPipeline {
   std::vector<ScanLabels> takeSettled();
   /// Settles all scans that are left. Nothing may be processed after it.
   void finish();
+  /// The same in steps: see Pipeline. To be called when takeSettled() has given what it has.
+  void decideRest();
+  bool settleNext(ScanLabels& labels);
 
   /// The map of all LiDARs: see Pipeline.
   std::vector<MapPoint> staticMap() const;

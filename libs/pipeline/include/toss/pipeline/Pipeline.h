@@ -53,6 +53,12 @@ class Pipeline {
   /// Settles all scans that are left, without what later ones could tell about them: for the end
   /// of the log, or of a part after which no scan comes for long.
   void finish();
+  /// The same in steps, for who writes labels while the next are made. decideRest() comes to all
+  /// decisions, after which the map is final and may be visited by another thread than the one that
+  /// calls settleNext(): that replaces `labels` by those of the next scan that is left, in order of
+  /// coming, until it returns false. No scan may come before that.
+  void decideRest();
+  bool settleNext(ScanLabels& labels);
 
   /// The static map by present knowledge: voxel centroids, or every kept return where
   /// map.voxel_size is 0. Map frame [m].

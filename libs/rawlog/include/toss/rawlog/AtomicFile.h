@@ -18,6 +18,8 @@ class AtomicFile {
 
   /// In the same folder and with the same extension as the final path.
   const std::filesystem::path& temporaryPath() const { return temporaryPath_; }
+  /// What errors show.
+  const std::filesystem::path& finalPath() const { return finalPath_; }
   /// Renames to the final path. Throws UserError if that fails.
   void commit();
 

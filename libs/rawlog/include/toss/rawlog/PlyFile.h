@@ -33,7 +33,10 @@ class PlyWriter {
   void add(const MapPoint& point, std::uint32_t track = 0);
   /// Points added so far.
   std::uint64_t count() const;
-  /// Completes the header and puts the file in place. To be called once, last.
+  /// Completes the file, which can be read at temporaryPath() then. Nothing may be added after it.
+  void close();
+  std::filesystem::path temporaryPath() const;
+  /// Closes the file unless that is done, and puts it in place. To be called once, last.
   void finish();
 
  private:

@@ -18,6 +18,8 @@ class PointSample {
   void add(const MapPoint& point);
   /// What was kept, in the order in which it came.
   const std::vector<MapPoint>& points() const { return points_; }
+  /// The same, which is not kept any longer: the next point is the first of another sample.
+  std::vector<MapPoint> take();
   /// Points that came by.
   std::uint64_t seen() const { return seen_; }
 
