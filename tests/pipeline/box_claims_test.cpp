@@ -27,14 +27,10 @@ struct ClaimScene {
 
   std::map<std::int32_t, BoxClaims::Claim> find() const {
     BoxClaims claims({kClaim, kResidue}, kResidueHeight);
-    NearbyReturns nearby;
     claims.take(claimants, Eigen::Vector3d::Zero());
-    claims.markNearby(nearby);
-    nearby.find(points, segmentation.pointClass);
-    std::vector<BoxClaims::Claim> found;
-    claims.find(points, segmentation, nearby, standing, found);
     std::map<std::int32_t, BoxClaims::Claim> result;
-    for (const BoxClaims::Claim& claim : found) result[claim.point] = claim;
+    for (const BoxClaims::Claim& claim : claims.find(points, segmentation, standing))
+      result[claim.point] = claim;
     return result;
   }
 };
@@ -147,12 +143,8 @@ TEST(BoxClaims, AreWhatComparisonWithAllBoxesFinds) {
 TEST(BoxClaims, OfNoResidueMarginLeaveLowGround) {
   ClaimScene scene = randomScene();
   BoxClaims claims({kClaim, 0.0}, kResidueHeight);
-  NearbyReturns nearby;
   claims.take(scene.claimants, Eigen::Vector3d::Zero());
-  claims.markNearby(nearby);
-  nearby.find(scene.points, scene.segmentation.pointClass);
-  std::vector<BoxClaims::Claim> found;
-  claims.find(scene.points, scene.segmentation, nearby, scene.standing, found);
+  const BoxClaims::Claims found = claims.find(scene.points, scene.segmentation, scene.standing);
   EXPECT_GT(found.size(), 100u);
   for (const BoxClaims::Claim& claim : found) EXPECT_FALSE(claim.residue);
 }
@@ -172,15 +164,23 @@ TEST(BoxClaims, NamesTheSmallestOtherBoxAroundAPoint) {
   EXPECT_EQ(claims.boxAround({5.0f, 2.2f, 0.0f}, -1), -1);
 }
 
-TEST(NearbyReturns, FindsReturnsBeyondItsGridAndNoneThatAreNotThere) {
-  NearbyReturns nearby;
-  nearby.mark({Eigen::Vector2f(150.0f, -0.5f), Eigen::Vector2f(151.0f, 0.5f)},
-              NearbyReturns::Of::NoInstance);
+TEST(ClaimSquares, FindReturnsBeyondTheirGridAndNoneThatAreNotThere) {
+  Box box;
+  box.center = {150.5, 0.0, 0.0};
+  box.length = box.width = box.height = 1.0;
+  ClaimSquares squares;
+  squares.clear();
+  squares.mark(ClaimFootprint(box, Eigen::Vector3d::Zero(), 0.0), {});
   const float unknown = std::nanf("");
   const LevelPoints points{{150.5f, 0.0f, unknown, 150.5f}, {0.0f, 0.0f, unknown, 0.0f}, {}};
-  nearby.find(points,
-              {PointClass::Ground, PointClass::Ground, PointClass::Invalid, PointClass::Instance});
-  EXPECT_EQ(std::vector<std::int32_t>(nearby.begin(), nearby.end()), std::vector<std::int32_t>{0});
+  Segmentation segmentation;
+  segmentation.pointClass = {PointClass::Ground, PointClass::Ground, PointClass::Invalid,
+                             PointClass::Instance};
+  segmentation.instance = {0, 0, 0, 1};
+  segmentation.heightAboveGround = {0.1f, 0.1f, unknown, 1.0f};
+  squares.find(points, segmentation, 0.02f, {true, true});
+  ASSERT_EQ(squares.size(), 1u);
+  EXPECT_EQ(squares.begin()->point, 0);
 }
 
 }  // namespace

@@ -4,11 +4,13 @@
 #include <toss/geometry/Box.h>
 #include <toss/segmentation/Segmentation.h>
 
-#include <Eigen/Geometry>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
-#include "NearbyReturns.h"
+#include "ClaimBatch.h"
+#include "ClaimFootprint.h"
+#include "ClaimSquares.h"
 
 namespace toss {
 
@@ -41,7 +43,8 @@ class BoxClaims {
 
   /// `residueHeight` [m]: ground returns lower than this over the ground are residue at most.
   BoxClaims(const Margins& margins, double residueHeight)
-      : margins_(margins), residueHeight_(residueHeight) {}
+      : margins_{static_cast<float>(margins.claim), static_cast<float>(margins.residue)},
+        residueHeight_(static_cast<float>(residueHeight)) {}
 
   /// A return that a box has claimed.
   struct Claim {
@@ -54,65 +57,71 @@ class BoxClaims {
 
   /// Takes the boxes of a scan. `sensorPosition`: origin of the level frame in the map.
   void take(const std::vector<Claimant>& claimants, const Eigen::Vector3d& sensorPosition);
-  /// Marks where returns lie that the boxes may claim.
-  void markNearby(NearbyReturns& nearby) const;
-  /// Replaces `claims` by those of all returns that were found nearby, by ascending point; the
-  /// smallest box wins. `standing`: whether instance k may be cut, shape [instanceCount + 1]; one
-  /// that has a box is cut only where another box reaches into that.
-  void find(const LevelPoints& points, const Segmentation& segmentation,
-            const NearbyReturns& nearby, const std::vector<bool>& standing,
-            std::vector<Claim>& claims);
+
+  /// Claims of a scan, by ascending point; valid until the next are found.
+  struct Claims {
+    const Claim *first, *last;
+    const Claim* begin() const { return first; }
+    const Claim* end() const { return last; }
+    std::size_t size() const { return static_cast<std::size_t>(last - first); }
+  };
+  /// Finds the claims of the boxes on all returns; the smallest box wins. `standing`: whether
+  /// instance k may be cut, shape [instanceCount + 1]; one that has a box is cut only where another
+  /// box reaches into that.
+  Claims find(const LevelPoints& points, const Segmentation& segmentation,
+              const std::vector<bool>& standing);
 
   /// Smallest box that holds the point [m, level frame], leaving out the box of
   /// claimant `except`; -1 = none.
   std::int32_t boxAround(const Eigen::Vector3f& point, std::int32_t except) const;
 
  private:
-  /// Upright box in the level frame, ready to be tested.
-  struct Footprint {
-    float x, y, cosYaw, sinYaw, halfLength, halfWidth, low, high;
+  /// What a box takes, and the rectangle along the axes around all that it may claim.
+  struct Terms {
     Claimant::Takes takes;
     std::int32_t instance;
-    /// The rectangle along the axes around all that it may claim.
     Eigen::AlignedBox2f claimed;
-
-    /// The rectangle along the axes around it, grown by `margin`.
-    Eigen::AlignedBox2f extent(float margin) const;
-    /// Whether it holds a point of the level frame, grown by `margin`.
-    bool holds(const Eigen::Vector3f& point, float margin) const;
   };
   /// Entry of a grid cell's list of boxes.
   struct Entry {
     std::int32_t box, next;
+    Claimant::Takes takes;
   };
-  /// A square of the ground plane.
-  struct Cell {
-    /// First entry, -1 = none.
-    std::int32_t first = -1;
-    /// The most that any box in it takes.
-    Claimant::Takes most = Claimant::Takes::Nothing;
-  };
-  void enter(const Claimant& claimant, std::int32_t number, const Eigen::Vector3d& sensorPosition);
-  float reachOf(const Footprint& footprint) const;
+  using Found = ClaimSquares::Found;
+
+  void enter(const Claimant& claimant, std::int32_t number);
+  float reachOf(Claimant::Takes takes) const;
   /// Whether another box that takes more than nothing reaches into a box.
   bool isMet(std::size_t number) const;
-  /// Smallest box that holds the point when grown by `margin`, of those that take at least `least`.
-  std::int32_t claimOf(const Eigen::Vector3f& point, float margin, Claimant::Takes least,
-                       std::int32_t except) const;
-  std::int32_t residueOf(const Eigen::Vector3f& point) const;
-  Claim claimOutside(const Eigen::Vector3f& point, bool low) const;
-  Claim claimInside(const Eigen::Vector3f& point, std::int32_t host) const;
+  /// Finds the returns that any box may claim.
+  void findNearby(const LevelPoints& points, const Segmentation& segmentation,
+                  const std::vector<bool>& standing);
+  void claimNearby(const LevelPoints& points, const Segmentation& segmentation);
+  void fill(ClaimBatch& batch, const Found* first, const Found* last, const LevelPoints& points,
+            const Segmentation& segmentation) const;
+  void takeClaims(const ClaimBatch& batch, const Found* first, const Found* last,
+                  const Segmentation& segmentation);
 
-  Margins margins_;
-  double residueHeight_;
-  std::vector<Footprint> footprints_;
+  ClaimBatch::Margins margins_;
+  float residueHeight_;
+  /// Of each claimant.
+  std::vector<ClaimFootprint> footprints_;
+  std::vector<Terms> terms_;
+  /// Instance of each claimant, after that of claimant -1.
+  std::vector<std::int32_t> instanceOf_;
+  /// Claimants, those with the largest boxes first.
+  std::vector<std::pair<double, std::int32_t>> byVolume_;
   /// Whether instance k may be cut, shape [instanceCount + 1].
   std::vector<bool> cuttable_;
-  /// Shape [kCells * kCells].
-  std::vector<Cell> grid_;
+  /// First entry of each cell of the grid, -1 = none.
+  std::vector<std::int32_t> firstEntry_;
   std::vector<Entry> entries_;
   /// Cells that have entries.
   std::vector<std::size_t> usedCells_;
+  ClaimSquares squares_;
+  /// Only grows; the first `claimCount_` are those of the scan.
+  std::vector<Claim> claims_;
+  std::size_t claimCount_ = 0;
 };
 
 }  // namespace toss

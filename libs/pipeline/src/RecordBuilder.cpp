@@ -55,18 +55,33 @@ void RecordBuilder::addInstances(const std::vector<Detection>& detections, const
   }
 }
 
-void RecordBuilder::addOwners(const std::vector<Track>& tracks, ScanRecord& record) {
+void RecordBuilder::addOwners(const std::vector<Track>& tracks, const BoxClaims::Claims& claims,
+                              ScanRecord& record) {
   claimingOwners_.clear();
-  for (const BoxClaims::Claim& claim : foundClaims_) {
-    const auto next = static_cast<std::int32_t>(record.owners.size());
-    const auto [place, isNew] = claimingOwners_.try_emplace(ownerKey(claim), next);
-    record.owner[static_cast<std::size_t>(claim.point)] = place->second;
+  record.residue.reserve(static_cast<std::size_t>(std::count_if(
+      claims.begin(), claims.end(), [](const BoxClaims::Claim& claim) { return claim.residue; })));
+  std::uint64_t lastKey = ~std::uint64_t{0};
+  std::int32_t lastOwner = 0;
+  for (const BoxClaims::Claim& claim : claims) {
+    // Mostly alike for returns that follow each other.
+    if (const std::uint64_t key = ownerKey(claim); key != lastKey)
+      lastKey = key, lastOwner = ownerOf(claim, tracks, record);
+    record.owner[static_cast<std::size_t>(claim.point)] = lastOwner;
     if (claim.residue) record.residue.push_back({claim.point});
-    if (!isNew) continue;
+  }
+}
+
+/// The owner that has such claims, a new one where there is none yet.
+std::int32_t RecordBuilder::ownerOf(const BoxClaims::Claim& claim, const std::vector<Track>& tracks,
+                                    ScanRecord& record) {
+  const auto next = static_cast<std::int32_t>(record.owners.size());
+  const auto [place, isNew] = claimingOwners_.try_emplace(ownerKey(claim), next);
+  if (isNew) {
     Owner& owner = record.owners.emplace_back();
     owner.track = tracks[static_cast<std::size_t>(claim.claimant)].id;
     owner.host = claim.host, owner.residue = claim.residue;
   }
+  return place->second;
 }
 
 void RecordBuilder::addClaims(const SegmentedScan& segmented,
@@ -86,11 +101,8 @@ void RecordBuilder::addClaims(const SegmentedScan& segmented,
     claimants.push_back({detection.box, takesOf(track), detection.instance});
   }
   claims_.take(claimants, record.sensorPosition);
-  nearby_.clear();
-  claims_.markNearby(nearby_);
-  nearby_.find(segmented.level, segmented.segmentation.pointClass);
-  claims_.find(segmented.level, segmented.segmentation, nearby_, standing, foundClaims_);
-  addOwners(tracker.tracks(), record);
+  addOwners(tracker.tracks(), claims_.find(segmented.level, segmented.segmentation, standing),
+            record);
   findCompanions(detections, tracker, record);
 }
 

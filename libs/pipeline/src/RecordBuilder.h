@@ -37,15 +37,16 @@ class RecordBuilder {
                     ScanRecord& record) const;
   void addClaims(const SegmentedScan& segmented, const std::vector<Detection>& detections,
                  const Tracker& tracker, ScanRecord& record);
-  void addOwners(const std::vector<Track>& tracks, ScanRecord& record);
+  void addOwners(const std::vector<Track>& tracks, const BoxClaims::Claims& claims,
+                 ScanRecord& record);
+  std::int32_t ownerOf(const BoxClaims::Claim& claim, const std::vector<Track>& tracks,
+                       ScanRecord& record);
   void findCompanions(const std::vector<Detection>& detections, const Tracker& tracker,
                       ScanRecord& record) const;
 
   bool claiming_;
   int fragmentPoints_;
-  NearbyReturns nearby_;
   BoxClaims claims_;
-  std::vector<BoxClaims::Claim> foundClaims_;
   /// Owners that claim, by what their claims have in common.
   tsl::robin_map<std::uint64_t, std::int32_t> claimingOwners_;
   /// Memory of scans that need it no more.

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace toss {
+
+/// Squares of the ground plane around the sensor, level frame, by which returns and boxes find each
+/// other: small ones, and cells of 2 x 2 of them. All that lies beyond belongs to the outermost.
+class ClaimGrid {
+ public:
+  /// Squares along each axis, and their side [m].
+  static constexpr std::int32_t kSquares = 512, kCells = kSquares / 2;
+  static constexpr float kSide = 0.5f;
+  /// Keeps returns on the edge of an area from being missed through rounding [m].
+  static constexpr float kRounding = 1e-3f;
+
+  /// Number of a square along one axis; 0 for what is not a number.
+  static std::int32_t along(float coordinate) {
+    constexpr float kHalf = 0.5f * kSide * static_cast<float>(kSquares);
+    constexpr auto kLast = static_cast<float>(kSquares - 1);
+    const float square = std::max(0.0f, (coordinate + kHalf) * (1.0f / kSide));
+    return static_cast<std::int32_t>(std::min(square, kLast));
+  }
+  /// Where squares of that number begin along an axis [m]; the first one reaches beyond.
+  static float beginOf(std::int32_t number) {
+    return (static_cast<float>(number) - 0.5f * static_cast<float>(kSquares)) * kSide;
+  }
+
+  static std::int32_t squareOf(float x, float y) { return along(x) * kSquares + along(y); }
+  static std::size_t cellOfSquare(std::int32_t square) {
+    const std::int32_t row = square / kSquares, column = square % kSquares;
+    return static_cast<std::size_t>(row / 2) * kCells + static_cast<std::size_t>(column / 2);
+  }
+
+  /// Calls `visit(cell)` for each cell that an area meets.
+  template <typename Visit>
+  static void visitCells(const Eigen::AlignedBox2f& area, Visit&& visit) {
+    if (area.isEmpty()) return;
+    const std::int32_t lastRow = along(area.max().x()) / 2, lastColumn = along(area.max().y()) / 2;
+    for (std::int32_t row = along(area.min().x()) / 2; row <= lastRow; ++row)
+      for (std::int32_t column = along(area.min().y()) / 2; column <= lastColumn; ++column)
+        visit(static_cast<std::size_t>(row) * kCells + static_cast<std::size_t>(column));
+  }
+};
+
+}  // namespace toss
