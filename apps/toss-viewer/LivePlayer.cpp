@@ -51,16 +51,16 @@ bool LivePlayer::next(LiveFrame& frame) {
 }
 
 void LivePlayer::show(const ScanLabels& labels, LiveFrame& frame) const {
-  const SegmentedScan& segmented = pipeline_->segmentedScan();
-  const Eigen::Vector3d sensor = scan_.mapFromSensor.translation();
+  const std::vector<PointClass>& pointClass = pipeline_->segmentedScan().segmentation.pointClass;
+  const PointCloud& points = scan_.points;
   for (auto* layer : {&frame.ground, &frame.standing, &frame.moving}) layer->clear();
   for (std::size_t i = 0; i < labels.state.size(); ++i) {
     if (labels.state[i] == PointState::Invalid) continue;
-    const Eigen::Vector3d level(segmented.level.x[i], segmented.level.y[i], segmented.level.z[i]);
-    const Eigen::Vector3f p = (level + sensor).cast<float>();
+    const Eigen::Vector3d inSensor(points.x[i], points.y[i], points.z[i]);
+    const Eigen::Vector3f p = (scan_.mapFromSensor * inSensor).cast<float>();
     const MapPoint point{p.x(), p.y(), p.z(),
-                         scan_.points.intensity.empty() ? 0.0f : scan_.points.intensity[i]};
-    const bool isGround = segmented.segmentation.pointClass[i] == PointClass::Ground;
+                         points.intensity.empty() ? 0.0f : points.intensity[i]};
+    const bool isGround = pointClass[i] == PointClass::Ground;
     auto& layer = labels.state[i] == PointState::Moving ? frame.moving
                   : isGround                            ? frame.ground
                                                         : frame.standing;

@@ -65,6 +65,7 @@ void Pipeline::Implementation::askViews(const PosedScan& scan) {
       if (const TrackId id = records.back().owners[k].track; id != 0)
         traces.addPast(id, pastEvidence[k]);
   }
+  builder.takeLevel(segmented.level, records.back());
   clock.lap("visibility");
 }
 

@@ -36,11 +36,15 @@ std::uint64_t ownerKey(const BoxClaims::Claim& claim) {
 
 /// Memory fresh from the system costs more than what is written into it.
 template <typename T>
+void takeSpare(std::vector<T>& spares, T& target) {
+  if (spares.empty()) return;
+  target = std::move(spares.back());
+  spares.pop_back();
+}
+
+template <typename T>
 void copyIntoSpare(const T& source, std::vector<T>& spares, T& target) {
-  if (!spares.empty()) {
-    target = std::move(spares.back());
-    spares.pop_back();
-  }
+  takeSpare(spares, target);
   target = source;
 }
 
@@ -125,6 +129,11 @@ void RecordBuilder::findCompanions(const std::vector<Detection>& detections, con
   }
 }
 
+void RecordBuilder::takeLevel(LevelPoints& level, ScanRecord& record) {
+  takeSpare(spareLevels_, record.level);
+  std::swap(level, record.level);
+}
+
 void RecordBuilder::reuseReturns(ScanRecord& record) {
   spareLevels_.push_back(std::exchange(record.level, {}));
   spareIntensities_.push_back(std::exchange(record.intensity, {}));
@@ -143,7 +152,6 @@ ScanRecord RecordBuilder::build(const PosedScan& scan, const SegmentedScan& segm
   record.sensorPosition = scan.mapFromSensor.translation();
   copyIntoSpare(segmented.segmentation.pointClass, spareClasses_, record.pointClass);
   copyIntoSpare(segmented.segmentation.instance, spareOwners_, record.owner);
-  copyIntoSpare(segmented.level, spareLevels_, record.level);
   copyIntoSpare(scan.points.intensity, spareIntensities_, record.intensity);
   const std::size_t instances = static_cast<std::size_t>(segmented.segmentation.instanceCount) + 1;
   record.owners.resize(instances);

@@ -23,9 +23,12 @@ class RecordBuilder {
         claims_({options.claimMargin, mapping.voxelSize > 0.0 ? options.residueMargin : 0.0},
                 mapping.groundResidueHeight) {}
 
+  /// All but the coordinates.
   ScanRecord build(const PosedScan& scan, const SegmentedScan& segmented,
                    const std::vector<Detection>& detections, const Tracker& tracker);
 
+  /// Gives the record of a scan its coordinates; `level` gets the memory of an earlier scan's.
+  void takeLevel(LevelPoints& level, ScanRecord& record);
   /// Takes the memory of the returns for a later scan: `record` is in the map and needs its
   /// coordinates and intensities no more.
   void reuseReturns(ScanRecord& record);

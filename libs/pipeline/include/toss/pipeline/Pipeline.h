@@ -45,7 +45,8 @@ class Pipeline {
   /// the scan before in its place.
   void segment(const PosedScan& scan, FirstStages& result);
   const ScanLabels& process(const PosedScan& scan, FirstStages& first);
-  /// Segmentation of the scan that process() took last, for viewers.
+  /// Segmentation of the scan that process() took last, for viewers; its level coordinates hold
+  /// no meaning, as those of the scan have become part of what is kept of it.
   const SegmentedScan& segmentedScan() const;
 
   /// Scans whose labels have become final since the last call, in order of their coming.
