@@ -162,10 +162,10 @@ void OnlineVoting::setTrackClass(TrackId track, MotionClass motion) {
       if (records_.isOpen(voter.id)) markDirty(voter.id);
     }
   }
-  judgeDirty();
 }
 
 DsVoting::Votes OnlineVoting::votes(BoxId box) {
+  judgeDirty();
   const BoxRecord& record = records_.known(box);
   if (rules_.off() || !records_.isOpen(box)) return record.votes;
   const Voter& voted = grid_.find(record.cell, box);
@@ -187,6 +187,7 @@ void OnlineVoting::tidyChanges() {
 }
 
 std::vector<BoxId> OnlineVoting::takeChanges() {
+  judgeDirty();
   tidyChanges();
   const auto isNews = [this](BoxId box) { return records_[box].dynamic != records_[box].reported; };
   std::vector<BoxId> result;
@@ -197,11 +198,13 @@ std::vector<BoxId> OnlineVoting::takeChanges() {
 }
 
 void OnlineVoting::release(BoxId box) {
+  judgeDirty();
   records_.known(box);
   records_[box].released = true;
 }
 
 void OnlineVoting::forgetBefore(double time) {
+  judgeDirty();
   const double horizon = std::isinf(rules_.horizon()) ? 0.0 : rules_.horizon();
   records_.closeBefore(time);
   records_.removeVotersBefore(time - horizon, [this](BoxId box) {

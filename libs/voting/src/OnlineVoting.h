@@ -9,7 +9,8 @@ namespace toss {
 /// What DsVoting is made of. What keeps it cheap (spec section 7.4): a static box needs no count of
 /// its votes for static, since it stays static until a vote for dynamic comes in or a trace near it
 /// turns dynamic, and then it is judged from scratch; a dynamic box has its counts and waits, in
-/// its cell, for the votes for static that may turn it.
+/// its cell, for the votes for static that may turn it. Boxes near traces whose class changes are
+/// judged when a label is asked for: mostly several classes change before that.
 class OnlineVoting {
  public:
   explicit OnlineVoting(const VotingOptions& options)
@@ -17,7 +18,10 @@ class OnlineVoting {
 
   BoxId addScan(const std::vector<VotingBox>& boxes);
   void setTrackClass(TrackId track, MotionClass motion);
-  bool isDynamic(BoxId box) const { return records_.known(box).dynamic; }
+  bool isDynamic(BoxId box) {
+    judgeDirty();
+    return records_.known(box).dynamic;
+  }
   DsVoting::Votes votes(BoxId box);
   std::vector<BoxId> takeChanges();
   void release(BoxId box);

@@ -32,7 +32,8 @@ struct VotingBox {
 /// DS-Voting (paper section DS-Voting, f, N_dyn, N_stat; spec section 7): decides for every box
 /// whether it is static or dynamic from the traces that come near its centre at neighbouring times
 /// and at distant ones. Works scan by scan and revises its labels as votes come in and as traces
-/// turn dynamic; with an infinite horizon the labels equal voteOffline() exactly.
+/// turn dynamic; with an infinite horizon the labels equal voteOffline() exactly. For one thread at
+/// a time, the const functions too: they judge what has changed since they were called last.
 class DsVoting {
  public:
   /// Throws UserError for options out of range.
