@@ -176,6 +176,27 @@ TEST(FreeSpace, WhatPassesBehindAFenceIsGlimpsedPastAndTheWallBehindItIsNot) {
   EXPECT_LT(objectSum(run(scene, wall, 5.0, standing)[25]).glimpsedShare(), 0.02);
 }
 
+/// A box before the wall that is `y` [m] to the left, seen through a frame of bars near the sensor.
+AnalyticScene behindBars(double y) {
+  AnalyticScene scene;
+  scene.add(kWall);
+  for (double bar = -8.0; bar < 8.0; bar += 0.09)
+    scene.add(AlignedBox3d(Vector3d(2.5, bar, -1.5), Vector3d(2.52, bar + 0.02, 1.5)));
+  scene.add(AlignedBox3d(Vector3d(11, y - 1.0, -1.5), Vector3d(12, y + 1.0, 1)));
+  return scene;
+}
+
+TEST(FreeSpace, WhatPassesFarBehindBarsIsSeenThroughAndWhatStandsThereIsNot) {
+  const auto behindFrame = [](const Vector3d& p) { return p.x() > 10.0 && p.x() < 19.0; };
+  const auto moved =
+      run([](double t) { return behindBars(2.0 * t - 5.0); }, behindFrame, 5.0, standing);
+  ASSERT_GT(objectSum(moved[25]).cells, 20);
+  EXPECT_GT(objectSum(moved[25]).freeShare(), 0.6);
+  for (const EvidenceCells& scan :
+       run([](double) { return behindBars(0.0); }, behindFrame, 5.0, driving))
+    EXPECT_LT(objectSum(scan).freeShare(), 0.05);
+}
+
 TEST(FreeSpace, FoliageIsNotSeenThroughAsAWhole) {
   const auto scene = [](double) {
     AnalyticScene s;

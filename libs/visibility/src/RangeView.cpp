@@ -17,6 +17,8 @@ constexpr float kEmpty = std::numeric_limits<float>::infinity();
 /// spacing. The sine of elevation is z over range: no arc tangent is needed for the row.
 constexpr int kHalfSineSteps = 4096;
 constexpr std::size_t kSineSteps = 2 * kHalfSineSteps + 1;
+/// Fewer neighbours that look past an occluder may look past the edge of something else as well.
+constexpr int kFewestPastOccluder = 4;
 /// Points that are worked on together.
 constexpr std::size_t kBlock = 256;
 
@@ -27,6 +29,25 @@ std::int32_t sineStep(float sine) {
 std::size_t sineStepOfElevation(float elevation) {
   return static_cast<std::size_t>(
       sineStep(std::sin(std::clamp(elevation, -0.5f * kPi, 0.5f * kPi))));
+}
+
+/// Shortest of the ranges over `limit` [m] in the neighbourhood of column `c`, infinite if they are
+/// too few. `rows`: the pixel's row and its neighbours, shape [width] each.
+float shortestBehind(const std::array<const float*, 3>& rows, std::size_t c, std::size_t width,
+                     float limit) {
+  float shortest = kEmpty;
+  int count = 0;
+  const std::array<std::size_t, 3> columns = {c > 0 ? c - 1 : width - 1, c,
+                                              c + 1 < width ? c + 1 : 0};
+  for (const float* row : rows) {
+    for (const std::size_t column : columns) {
+      const float range = row[column];
+      if (range <= limit || range == kEmpty) continue;
+      ++count;
+      shortest = std::min(shortest, range);
+    }
+  }
+  return count < kFewestPastOccluder ? kEmpty : shortest;
 }
 
 /// Where points lie in a view.
@@ -42,6 +63,7 @@ RangeView::RangeView(const VisibilityOptions& options)
       freeMargin_(static_cast<float>(options.freeMargin)),
       freeMarginShare_(static_cast<float>(options.freeMarginShare)),
       hitMargin_(static_cast<float>(options.hitMargin)),
+      occluderShare_(static_cast<float>(options.occluderShare)),
       sensorFromMap_(Eigen::Isometry3d::Identity()) {}
 
 void RangeView::look(const RangeImage& image, const PointCloud& points,
@@ -111,7 +133,7 @@ void RangeView::fillPixels(Scratch& scratch) {
     fill(width - 2, width - 1, 0);
   }
   pixels_.resize(scratch.ranges.size());
-  std::fill(pixels_.end() - columns_, pixels_.end(), Pixel{kEmpty, kEmpty, 0.0f});
+  std::fill(pixels_.end() - columns_, pixels_.end(), Pixel{kEmpty, kEmpty, 0.0f, kEmpty});
   for (int r = 0; r < rows_; ++r) {
     const auto row = [&](const std::vector<float>& values, int index) {
       return values.data() + static_cast<std::size_t>(std::clamp(index, 0, rows_ - 1)) * width;
@@ -120,11 +142,15 @@ void RangeView::fillPixels(Scratch& scratch) {
                 *n2 = row(scratch.alongRow, r + 1);
     const float *f0 = row(scratch.farthestAlongRow, r - 1), *f1 = row(scratch.farthestAlongRow, r),
                 *f2 = row(scratch.farthestAlongRow, r + 1);
-    const float* range = scratch.ranges.data() + static_cast<std::size_t>(r) * width;
+    const std::array<const float*, 3> ranges = {row(scratch.ranges, r - 1), row(scratch.ranges, r),
+                                                row(scratch.ranges, r + 1)};
     Pixel* out = pixels_.data() + static_cast<std::size_t>(r) * width;
     for (std::size_t c = 0; c < width; ++c)
-      out[c] = {range[c], std::min(std::min(n0[c], n1[c]), n2[c]),
-                std::max(std::max(f0[c], f1[c]), f2[c])};
+      out[c] = {ranges[1][c], std::min(std::min(n0[c], n1[c]), n2[c]),
+                std::max(std::max(f0[c], f1[c]), f2[c]), kEmpty};
+    for (std::size_t c = 0; c < width; ++c)
+      if (out[c].nearest < occluderShare_ * out[c].farthest)
+        out[c].behind = shortestBehind(ranges, c, width, out[c].nearest / occluderShare_);
   }
 }
 
@@ -162,7 +188,8 @@ void RangeView::testify(const float* x, const float* y, const float* z, std::siz
     for (std::size_t i = 0; i < size; ++i) {
       const float range = block.range[i], nearest = seen[i].nearest;
       const float past = range + freeMargin_ + freeMarginShare_ * range;
-      const bool free = nearest > past && nearest < kEmpty;
+      const float first = nearest < occluderShare_ * range ? seen[i].behind : nearest;
+      const bool free = first > past && first < kEmpty;
       const bool hit =
           std::fabs(nearest - range) < hitMargin_ || std::fabs(seen[i].range - range) < hitMargin_;
       const bool glimpse = !hit && seen[i].farthest > past;

@@ -21,6 +21,11 @@ void VisibilityOptions::visit(OptionVisitor& v) {
   v.real({"hit_margin", "m", "A view is a hit where it measures the return's range this closely",
           "spec 12"},
          hitMargin, 0.02, 2.0);
+  v.real({"occluder_share", "",
+          "What a view measures nearer than this share of the return's range is an occluder, past "
+          "which it may still see; 0 = it never is",
+          "measured: half lets edges of walls through, a quarter finds the same movers"},
+         occluderShare, 0.0, 0.9);
   v.real({"cell_size", "m", "Returns are thinned to cells of this edge before views are asked",
           "measured: 0.2 keeps the decision of every return"},
          cellSize, 0.05, 1.0);

@@ -52,6 +52,8 @@ std::vector<Variant> ablations() {
       leaning("remove", "toss map --keep remove: in doubt it goes"),
       without("no glimpses", "doubtful motion is no motion",
               {"decision.doubtful_glimpsed_share=1"}),
+      without("no occluders", "what is near before a return hides it from a view",
+              {"visibility.occluder_share=0"}),
       without("traces of 5", "traces need five returns",
               {"tracking.min_match_points=5", "tracking.min_birth_points=5"}),
       without("80 m", "returns beyond 80 m are in no instance", {"projection.max_range=80"}),

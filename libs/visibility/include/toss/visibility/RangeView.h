@@ -36,25 +36,27 @@ class RangeView {
 
   /// Asks about points given in the level frame of a scan taken at `position` [m, map frame]:
   /// x, y, z [m], shape [count]. Adds 1 to freeViews[i] where the view sees past point i in the
-  /// whole neighbourhood of its pixel, to hitViews[i] where it measures the point itself, and to
-  /// glimpseViews[i] where it sees past it somewhere in the neighbourhood and does not measure it.
+  /// whole neighbourhood of its pixel but for what stands far in front of it, to hitViews[i] where
+  /// it measures the point itself, and to glimpseViews[i] where it sees past it somewhere in the
+  /// neighbourhood and does not measure it.
   void testify(const float* x, const float* y, const float* z, std::size_t count,
                const Eigen::Vector3d& position, std::uint8_t* freeViews, std::uint8_t* hitViews,
                std::uint8_t* glimpseViews) const;
 
  private:
-  /// Shortest range of a pixel and of its 3 x 3 neighbourhood [m], infinite where empty, and the
-  /// longest of the neighbourhood's, 0 where empty: side by side, since they are asked for
-  /// together.
+  /// Shortest range of a pixel and of its 3 x 3 neighbourhood [m], infinite where empty, the
+  /// longest of the neighbourhood's, 0 where empty, and the shortest of it behind what occludes the
+  /// rest (a window's frame, a trunk), infinite where nothing does: side by side, since they are
+  /// asked for together.
   struct Pixel {
-    float range, nearest, farthest;
+    float range, nearest, farthest, behind;
   };
   void fillRowTable(const std::vector<float>& elevations);
   void fillRanges(const RangeImage& image, const PointCloud& points, Scratch& scratch) const;
   void fillPixels(Scratch& scratch);
 
   int mostColumns_, rows_ = 0, columns_ = 0;
-  float freeMargin_, freeMarginShare_, hitMargin_;
+  float freeMargin_, freeMarginShare_, hitMargin_, occluderShare_;
   Eigen::Isometry3d sensorFromMap_;
   /// Shape [rows + 1, columns]; the last row is empty and stands for all outside the field of view.
   std::vector<Pixel> pixels_;

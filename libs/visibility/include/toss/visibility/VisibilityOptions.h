@@ -20,6 +20,10 @@ struct VisibilityOptions : Options {
   double freeMargin = 0.4, freeMarginShare = 0.01;
   /// A view is a hit where it measures the return's range within this [m].
   double hitMargin = 0.2;
+  /// What a view measures nearer than this share of the return's range is an occluder: it leaves
+  /// the verdict to the rest of the neighbourhood. 0 = all that is nearer keeps a return from being
+  /// free.
+  double occluderShare = 0.33;
   /// Edge of the cells that a scan's returns are thinned to before views are asked [m].
   double cellSize = 0.2;
   /// Most cells of one instance that are asked about, spread over it.
