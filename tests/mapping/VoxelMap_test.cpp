@@ -235,6 +235,28 @@ TEST(VoxelMap, SumsHoldMoreThanThirtyTwoBits) {
   EXPECT_EQ(map.size(), 0u);
 }
 
+/// Counts around those that a record holds itself, come to from either side.
+TEST(VoxelMap, SumsAreTheSameWhetherTheyGrewOrShrank) {
+  constexpr int kMost = 40;
+  const auto runsOf = [](int i) {
+    const auto n = static_cast<std::uint64_t>(i % 15 + 1);
+    return std::vector{test::voxelRun(voxelKey(i % 3, 0, 0), n, 65535 * n, n, 7, n << 32),
+                       test::voxelRun(voxelKey(2, 3, 1), 1, 1, 2, 3, 4)};
+  };
+  std::vector<std::vector<MapPoint>> grown;
+  VoxelMap map(1.0);
+  for (int i = 0; i < kMost; ++i) {
+    grown.push_back(map.points());
+    for (int times = 0; times < 9; ++times) map.add(runsOf(i));
+  }
+  EXPECT_EQ(map.size(256), 4u);
+  for (int i = kMost - 1; i >= 0; --i) {
+    for (int times = 0; times < 9; ++times) map.subtract(runsOf(i));
+    EXPECT_TRUE(test::same(map.points(), grown[static_cast<std::size_t>(i)])) << i;
+  }
+  EXPECT_EQ(map.size(), 0u);
+}
+
 /// Every return of one voxel, and each owner on its own.
 TEST(VoxelMap, CapHoldsForEachOwner) {
   constexpr std::size_t kOwners = 3;
@@ -257,7 +279,7 @@ TEST(VoxelMap, CapHoldsForEachOwner) {
 }
 
 /// Voxels of a level plane and of a wall, as a robot that drives past them leaves them.
-TEST(VoxelMap, AVoxelOfASurfaceTakesLessThanSixtyBytes) {
+TEST(VoxelMap, AVoxelOfASurfaceTakesLessThanThirtyBytes) {
   VoxelMap map(0.1);
   double most = 0.0;
   for (std::int32_t x = 0; x < 1500; ++x) {
@@ -272,8 +294,8 @@ TEST(VoxelMap, AVoxelOfASurfaceTakesLessThanSixtyBytes) {
     }
   }
   RecordProperty("most_bytes_per_voxel", std::to_string(most));
-  EXPECT_LT(most, 60.0);
-  EXPECT_GT(most, 32.0);
+  EXPECT_LT(most, 30.0);
+  EXPECT_GT(most, 16.0);
 }
 
 }  // namespace

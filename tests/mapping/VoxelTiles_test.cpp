@@ -86,6 +86,22 @@ TEST(VoxelTiles, LeavingBehindDoesNotShow) {
   EXPECT_TRUE(test::same(tiled->points(), whole->points()));
 }
 
+TEST(VoxelTiles, ComeBackWithWhatACrowdedVoxelHeld) {
+  Shelf shelf;
+  VoxelMap map(0.1, {0, 0, 0}, 5.0, &shelf), whole(0.1);
+  for (int times = 0; times < 300; ++times)
+    for (VoxelMap* each : {&map, &whole})
+      each->add(std::vector{test::voxelRun(voxelKey(0, 0, 0), 3, 1, 2, 3, 4),
+                            test::voxelRun(voxelKey(1, 0, times % 2), 1, 1, 2, 3, 4)});
+  for (int i = 0; i < 200; ++i) map.leaveBehind({1000.0, 0, 0}, 1.0);
+  EXPECT_EQ(map.tilesInStore(), 1u);
+  EXPECT_TRUE(test::same(map.points(), whole.points()));
+  for (VoxelMap* each : {&map, &whole})
+    each->add(std::vector{test::voxelRun(voxelKey(0, 0, 0), 1, 7, 7, 7, 7)});
+  EXPECT_EQ(map.tilesInStore(), 0u);
+  EXPECT_TRUE(test::same(map.points(), whole.points()));
+}
+
 TEST(VoxelTiles, MemoryDoesNotGrowWithTheWay) {
   Shelf shelf;
   const MappingOptions options = smallTiles();

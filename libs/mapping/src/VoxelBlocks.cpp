@@ -18,7 +18,7 @@ std::uint32_t countBits(std::uint64_t v) {
 }
 
 /// Of the cache.
-constexpr std::uint32_t kRecordsInLine = 2;
+constexpr std::uint32_t kRecordsInLine = 64 / sizeof(VoxelRecord);
 
 [[noreturn]] void throwNeverAdded() {
   throw std::logic_error("VoxelMap: subtracts what was never added");
@@ -45,16 +45,31 @@ void VoxelBlocks::add(Addition* first, Addition* last) {
       __builtin_prefetch(block.records + countBits(block.mask & (bitOf(run->key) - 1)), 1);
     // New records may move all the others.
     if ((addition->voxels & ~block.mask) != 0)
-      for (std::uint32_t i = 0; i < countBits(block.mask); i += kRecordsInLine)
+      for (std::uint32_t i = 0; i < countBits(block.mask) + kRecordsInLine; i += kRecordsInLine)
         __builtin_prefetch(block.records + i, 1);
   }
   for (const Addition* addition = first; addition != last; ++addition) {
     if (const std::uint64_t added = addition->voxels & ~addition->block->mask)
       addition->blocks->insert(*addition->block, added);
     const Block block = *addition->block;
-    for (const VoxelRun* run = addition->first; run != addition->last; ++run)
-      block.records[countBits(block.mask & (bitOf(run->key) - 1))].add(*run);
+    for (const VoxelRun* run = addition->first; run != addition->last; ++run) {
+      VoxelRecord& record = block.records[countBits(block.mask & (bitOf(run->key) - 1))];
+      if (record.takes(*run))
+        record.add(*run);
+      else
+        addition->blocks->addLarge(record, *run);
+    }
   }
+}
+
+void VoxelBlocks::addLarge(VoxelRecord& record, const VoxelRun& run) {
+  if (!record.isReference()) record = VoxelRecord::reference(large_.insert(record.sum(run.key)));
+  VoxelSum& sum = large_[record.place()];
+  sum.count += static_cast<std::uint32_t>(run.count());
+  sum.x += run.x();
+  sum.y += run.y();
+  sum.z += run.z();
+  sum.intensity += run.intensity();
 }
 
 TOSS_ALSO_FOR_AVX2
@@ -84,13 +99,23 @@ void VoxelBlocks::subtract(const VoxelSum& sum) {
   const std::uint64_t bit = bitOf(sum.key);
   if ((block.mask & bit) == 0) throwNeverAdded();
   const std::uint32_t place = countBits(block.mask & (bit - 1));
-  const VoxelSum s = block.records[place].sum(sum.key);
+  VoxelRecord& record = block.records[place];
+  const VoxelSum s = sumOf(record, sum.key);
   if (s.count < sum.count || s.x < sum.x || s.y < sum.y || s.z < sum.z ||
       s.intensity < sum.intensity)
     throwNeverAdded();
-  block.records[place].set({sum.key, s.count - sum.count, s.x - sum.x, s.y - sum.y, s.z - sum.z,
-                            s.intensity - sum.intensity});
+  setLess(record, {sum.key, s.count - sum.count, s.x - sum.x, s.y - sum.y, s.z - sum.z,
+                   s.intensity - sum.intensity});
   if (s.count == sum.count) erase(block, bit);
+}
+
+void VoxelBlocks::setLess(VoxelRecord& record, const VoxelSum& left) {
+  if (left.count > VoxelRecord::kMostReturns) {
+    large_[record.place()] = left;
+    return;
+  }
+  if (record.isReference()) large_.erase(record.place());
+  record = VoxelRecord(left);
 }
 
 void VoxelBlocks::erase(Block& block, std::uint64_t voxel) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "LargeSums.h"
 #include "RecordPool.h"
 
 namespace toss {
@@ -60,10 +61,12 @@ class VoxelBlocks {
     for (const Block* block : sortedBlocks()) {
       const VoxelRecord* record = block->records;
       for (std::uint64_t left = block->mask; left != 0; left &= left - 1)
-        visit((record++)->sum(voxelInBlock(block->key, lowestPlace(left))));
+        visit(sumOf(*record++, voxelInBlock(block->key, lowestPlace(left))));
     }
   }
-  std::size_t bytes() const { return slots_.size() * sizeof(Block) + pool_.bytes(); }
+  std::size_t bytes() const {
+    return slots_.size() * sizeof(Block) + pool_.bytes() + large_.bytes();
+  }
 
   /// Replaces `bytes` by everything held here, for restore() of an empty object in the same
   /// program.
@@ -94,6 +97,16 @@ class VoxelBlocks {
     return slot;
   }
   std::vector<const Block*> sortedBlocks() const;
+  VoxelSum sumOf(const VoxelRecord& record, VoxelKey key) const {
+    if (!record.isReference()) return record.sum(key);
+    VoxelSum sum = large_[record.place()];
+    sum.key = key;
+    return sum;
+  }
+  /// Adds a run that a record can not count itself.
+  void addLarge(VoxelRecord& record, const VoxelRun& run);
+  /// Replaces the sums of a record by what is left of them.
+  void setLess(VoxelRecord& record, const VoxelSum& left);
   /// Makes empty records of voxels that have none.
   void insert(Block& block, std::uint64_t voxels);
   void erase(Block& block, std::uint64_t voxel);
@@ -105,6 +118,7 @@ class VoxelBlocks {
   int hashShift_ = 64;
   std::size_t lastSlot_ = 0, used_ = 0, size_ = 0;
   RecordPool pool_;
+  LargeSums large_;
 };
 
 }  // namespace toss

@@ -32,7 +32,11 @@ void VoxelBlocks::save(std::vector<std::uint8_t>& bytes) const {
     if (block.key == kNone) continue;
     append(bytes, &block.key, sizeof block.key);
     append(bytes, &block.mask, sizeof block.mask);
-    append(bytes, block.records, voxelsIn(block.mask) * sizeof(VoxelRecord));
+    const VoxelRecord* record = block.records;
+    for (const VoxelRecord* const end = record + voxelsIn(block.mask); record != end; ++record) {
+      append(bytes, record, sizeof *record);
+      if (record->isReference()) append(bytes, &large_[record->place()], sizeof(VoxelSum));
+    }
   }
 }
 
@@ -47,7 +51,13 @@ void VoxelBlocks::restore(const std::vector<std::uint8_t>& bytes) {
     next = take(next, &block.mask, sizeof block.mask);
     const std::uint32_t voxels = voxelsIn(block.mask);
     block.records = pool_.take(voxels);
-    next = take(next, static_cast<void*>(block.records), voxels * sizeof(VoxelRecord));
+    for (VoxelRecord* record = block.records; record != block.records + voxels; ++record) {
+      next = take(next, static_cast<void*>(record), sizeof *record);
+      if (!record->isReference()) continue;
+      VoxelSum sum;
+      next = take(next, &sum, sizeof sum);
+      *record = VoxelRecord::reference(large_.insert(sum));
+    }
     size_ += voxels;
   }
 }
