@@ -24,32 +24,39 @@ mrpt::obs::CObservationRobotPose robotPoseOf(const PosedScan& scan) {
   return observation;
 }
 
-mrpt::maps::CPointsMapXYZI::Ptr pointsInState(const PosedScan& scan, const ScanLabels& labels,
-                                              PointState state) {
+void takePoints(const PosedScan& scan, const ScanLabels& labels, PointState state,
+                mrpt::maps::CPointsMapXYZI& cloud) {
   const PointCloud& points = scan.points;
-  auto cloud = mrpt::maps::CPointsMapXYZI::Create();
-  cloud->setSize(
+  cloud.setSize(
       static_cast<std::size_t>(std::count(labels.state.begin(), labels.state.end(), state)));
   std::size_t row = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (labels.state[i] != state) continue;
-    cloud->setPointFast(row, points.x[i], points.y[i], points.z[i]);
-    cloud->setPointColor_fast(row, points.intensity.empty() ? 0.0f : points.intensity[i], 0, 0);
+    cloud.setPointFast(row, points.x[i], points.y[i], points.z[i]);
+    cloud.setPointColor_fast(row, points.intensity.empty() ? 0.0f : points.intensity[i], 0, 0);
     ++row;
   }
-  return cloud;
 }
+
+/// What is written of the scans in one state.
+struct StateLog {
+  PointState state;
+  /// Before the ending that tells the LiDAR.
+  std::string label;
+  /// Kept from scan to scan for its memory.
+  mrpt::maps::CPointsMapXYZI::Ptr points = mrpt::maps::CPointsMapXYZI::Create();
+};
 
 }  // namespace
 
 struct FilteredRawlogWriter::Implementation {
-  void writeCloud(const PosedScan& scan, const ScanLabels& labels, PointState state,
-                  const std::string& sensorLabel) {
+  void write(const StateLog& log, const PosedScan& scan, const ScanLabels& labels) {
     mrpt::obs::CObservationPointCloud observation;
-    observation.sensorLabel = sensorLabel;
+    observation.sensorLabel = log.label + endingOf(scan.sensorLabel);
     observation.timestamp = toMrptTime(scan.time);
     observation.sensorPose = toMrpt(scan.robotFromSensor);
-    observation.pointcloud = pointsInState(scan, labels, state);
+    takePoints(scan, labels, log.state, *log.points);
+    observation.pointcloud = log.points;
     writer.write(observation);
   }
 
@@ -61,6 +68,8 @@ struct FilteredRawlogWriter::Implementation {
   RawlogWriter writer;
   /// Label of the LiDAR of the first scan.
   std::optional<std::string> firstLabel{};
+  const StateLog logs[2] = {{PointState::Static, "LIDAR_STATIC"},
+                            {PointState::Moving, "LIDAR_MOVING"}};
 };
 
 FilteredRawlogWriter::FilteredRawlogWriter(const std::filesystem::path& file,
@@ -73,9 +82,7 @@ void FilteredRawlogWriter::add(const PosedScan& scan, const ScanLabels& labels) 
   if (labels.scan != scan.index || labels.state.size() != scan.points.size())
     throw std::logic_error("FilteredRawlogWriter::add: the labels are not those of the scan");
   implementation_->writer.write(robotPoseOf(scan));
-  const std::string ending = implementation_->endingOf(scan.sensorLabel);
-  implementation_->writeCloud(scan, labels, PointState::Static, "LIDAR_STATIC" + ending);
-  implementation_->writeCloud(scan, labels, PointState::Moving, "LIDAR_MOVING" + ending);
+  for (const StateLog& log : implementation_->logs) implementation_->write(log, scan, labels);
 }
 
 void FilteredRawlogWriter::finish() {

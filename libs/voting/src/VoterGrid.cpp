@@ -6,7 +6,19 @@
 namespace toss {
 
 namespace {
+
 constexpr std::size_t kSmallestCompaction = 32;
+
+/// Keeps little memory for the next cell of this number: with all of it, every cell would come to
+/// hold what the most crowded ever did.
+void empty(std::vector<Voter>& voters) {
+  constexpr std::size_t kMostKept = 32;
+  if (voters.capacity() > kMostKept)
+    std::vector<Voter>().swap(voters);
+  else
+    voters.clear();
+}
+
 }  // namespace
 
 VoterGrid::CellIndex VoterGrid::insert(const Voter& voter) {
@@ -32,8 +44,7 @@ void VoterGrid::removeEarliest(CellIndex index) {
   ++cell.first;
   if (cell.first == cell.voters.size()) {
     indexOf_.erase(key(cell.column, cell.row));
-    // Keeps the memory for the next cell of this number.
-    cell.voters.clear(), cell.pending.clear();
+    empty(cell.voters), empty(cell.pending);
     cell.first = 0, cell.dynamicVoters = 0;
     free_.push_back(index);
   } else if (cell.first >= kSmallestCompaction && 2 * cell.first >= cell.voters.size()) {
