@@ -10,25 +10,23 @@ namespace {
 
 /// What gathering reads.
 struct Scan {
-  const LevelPoints& points;
   const RangeImage& image;
   const Segmentation& segmentation;
 
+  /// What is in a pixel is in range and finite.
   bool isCandidate(std::size_t i) const {
-    return segmentation.pointClass[i] == PointClass::Unclustered &&
-           image.row[i] != RangeImage::kNoRow &&
-           std::isfinite(points.x[i] + points.y[i] + points.z[i]);
+    return segmentation.pointClass[i] == PointClass::Unclustered;
   }
 };
 
-/// Nodes as they are added; there is room for one of every point.
+/// Nodes as they are added; there is room for one of every point, and one more.
 struct NodeList {
   std::int32_t *point, *column;
   std::size_t count = 0;
 
-  void add(std::int32_t newPoint, int newColumn) {
+  void addIf(bool wanted, std::int32_t newPoint, int newColumn) {
     point[count] = newPoint, column[count] = newColumn;
-    ++count;
+    count += wanted ? 1 : 0;
   }
 };
 
@@ -52,7 +50,7 @@ void gatherPixel(const Scan& scan, float pixelMerge, int column, std::int32_t he
     if (!scan.isCandidate(i)) continue;
     const std::int32_t host = surfaceAt(scan.image, nodes, first, scan.image.range[i], pixelMerge);
     if (host < 0) {
-      nodes.add(p, column);
+      nodes.addIf(true, p, column);
       continue;
     }
     result.matePoint.push_back(p);
@@ -65,11 +63,13 @@ void gatherRow(const Scan& scan, float pixelMerge, int row, NodeList& nodes, Obj
   const std::int32_t* const next = scan.image.next.data();
   for (int column = 0; column < scan.image.columns; ++column) {
     const std::int32_t head = heads[column];
-    if (head == RangeImage::kNone) continue;
-    if (next[head] != RangeImage::kNone) {
+    const bool filled = head != RangeImage::kNone;
+    const auto first = static_cast<std::size_t>(filled ? head : 0);
+    if (filled & (next[first] != RangeImage::kNone)) {
       gatherPixel(scan, pixelMerge, column, head, nodes, result);
-    } else if (scan.isCandidate(static_cast<std::size_t>(head))) {
-      nodes.add(head, column);
+    } else {
+      // Without branches, as no one could foretell which pixels hold what.
+      nodes.addIf(filled & scan.isCandidate(first), head, column);
     }
   }
 }
@@ -128,11 +128,11 @@ void gatherNodes(const LevelPoints& points, const RangeImage& image,
                  const Segmentation& segmentation, const LinkRules& rules, float pixelMerge,
                  ObjectNodes& result) {
   clear(result);
-  const Scan scan{points, image, segmentation};
-  result.point.resize(image.row.size()), result.column.resize(image.row.size());
+  const Scan scan{image, segmentation};
+  result.point.resize(image.row.size() + 1), result.column.resize(image.row.size() + 1);
   NodeList nodes{result.point.data(), result.column.data()};
   for (int row = 0; row < image.rows; ++row) {
-    gatherRow(scan, pixelMerge, row, nodes, result);
+    if (!image.row.empty()) gatherRow(scan, pixelMerge, row, nodes, result);
     result.rowBegin.push_back(static_cast<std::int32_t>(nodes.count));
   }
   const std::size_t n = nodes.count;

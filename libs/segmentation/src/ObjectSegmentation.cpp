@@ -24,24 +24,6 @@ void checkSizes(const LevelPoints& points, const RangeImage& image,
   }
 }
 
-/// Groups the points by instance: a counting sort, so members ascend within each instance.
-void fillMembers(Segmentation& segmentation) {
-  auto& begin = segmentation.memberBegin;
-  begin.assign(static_cast<std::size_t>(segmentation.instanceCount) + 2, 0);
-  for (const std::int32_t k : segmentation.instance) ++begin[static_cast<std::size_t>(k) + 1];
-  // Slot k + 1 counts instance k; summed up, slot k is where k starts, and once filled, where it
-  // ends.
-  begin[1] = 0;
-  for (std::size_t k = 2; k < begin.size(); ++k) begin[k] += begin[k - 1];
-  segmentation.members.resize(static_cast<std::size_t>(begin.back()));
-  for (std::size_t i = 0; i < segmentation.instance.size(); ++i) {
-    const std::size_t k = static_cast<std::size_t>(segmentation.instance[i]);
-    if (k == 0) continue;
-    segmentation.members[static_cast<std::size_t>(begin[k]++)] = static_cast<std::int32_t>(i);
-  }
-  begin.pop_back();
-}
-
 }  // namespace
 
 struct ObjectSegmentation::Implementation {
@@ -52,6 +34,8 @@ struct ObjectSegmentation::Implementation {
   /// Numbers the components that are instances; returns how many.
   std::int32_t numberInstances(const LinkRules& rules);
   void write(Segmentation& segmentation) const;
+  /// Groups the points by instance.
+  void fillMembers(Segmentation& segmentation) const;
 
   ObjectOptions options;
   ObjectNodes nodes;
@@ -89,6 +73,38 @@ void ObjectSegmentation::Implementation::write(Segmentation& segmentation) const
   }
 }
 
+/// A counting sort, so members ascend within each instance. The returns of nodes have been counted;
+/// those that were attached to an instance are of nodes that are in none.
+void ObjectSegmentation::Implementation::fillMembers(Segmentation& segmentation) const {
+  const std::vector<std::int32_t>& instance = segmentation.instance;
+  std::vector<std::int32_t>& begin = segmentation.memberBegin;
+  begin.assign(static_cast<std::size_t>(segmentation.instanceCount) + 2, 0);
+  const auto countOf = [&](std::int32_t k) -> std::int32_t& {
+    return begin[static_cast<std::size_t>(k) + 1];
+  };
+  for (std::size_t c = 0; c < instanceOfComponent.size(); ++c)
+    countOf(instanceOfComponent[c]) = components.measures[c].returns;
+  const auto countAttached = [&](std::int32_t point, std::int32_t node) {
+    if (instanceOfNode[static_cast<std::size_t>(node)] == 0)
+      ++countOf(instance[static_cast<std::size_t>(point)]);
+  };
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    countAttached(nodes.point[i], static_cast<std::int32_t>(i));
+  for (std::size_t m = 0; m < nodes.matePoint.size(); ++m)
+    countAttached(nodes.matePoint[m], nodes.mateNode[m]);
+  // Slot k + 1 counts instance k; summed up, slot k is where k starts, and once filled, where it
+  // ends.
+  begin[1] = 0;
+  for (std::size_t k = 2; k < begin.size(); ++k) begin[k] += begin[k - 1];
+  segmentation.members.resize(static_cast<std::size_t>(begin.back()));
+  for (std::size_t i = 0; i < instance.size(); ++i) {
+    const auto k = static_cast<std::size_t>(instance[i]);
+    if (k == 0) continue;
+    segmentation.members[static_cast<std::size_t>(begin[k]++)] = static_cast<std::int32_t>(i);
+  }
+  begin.pop_back();
+}
+
 ObjectSegmentation::ObjectSegmentation(const ObjectOptions& options)
     : implementation_((options.check(), std::make_unique<Implementation>(options))) {}
 ObjectSegmentation::~ObjectSegmentation() = default;
@@ -111,7 +127,7 @@ void ObjectSegmentation::segment(const LevelPoints& points, const RangeImage& im
     attachLeftoverPoints(points, image, rules, self.nodes, self.instanceOfNode,
                          static_cast<float>(self.options.attachDistance), segmentation);
   }
-  fillMembers(segmentation);
+  self.fillMembers(segmentation);
 }
 
 }  // namespace toss

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <toss/geometry/ProcessorVariants.h>
 #include <toss/segmentation/TerrainFit.h>
 
 #include <algorithm>
@@ -36,13 +37,40 @@ float dot(const std::vector<float>& a, const std::vector<float>& b) {
   return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
-/// Barycentric coordinates in triangle `side` of a square, from the offset to its centre in half
-/// sides: the corners lie at a + b and a - b of the axis a towards the side, turned by 90 degrees
-/// b.
-std::array<float, 3> barycentric(int side, float dx, float dy) {
-  const float along = side == 0 ? dx : side == 1 ? dy : side == 2 ? -dx : -dy;
-  const float across = side == 0 ? dy : side == 1 ? -dx : side == 2 ? -dy : dx;
-  return {0.5f * (along - across), 0.5f * (along + across), 1.0f - along};
+/// The returns of one node that the fit looks at, side by side.
+struct Picked {
+  template <typename T>
+  using Each = std::array<T, kPickedReturns>;
+  /// Offsets to the centre of the square in half sides, and height in the level frame [m].
+  Each<float> dx{}, dy{}, z{};
+  /// Barycentric coordinates; distance above the surface [m]; weight in the fit.
+  Each<float> l0, l1, l2, height, weight;
+};
+
+/// Limits of the distance from the surface, as their inverses [1/m].
+struct Gate {
+  float below, above;
+};
+
+/// Weighs returns of triangle `side` of a square by their distance from the surface whose vertices
+/// have the heights h0, h1, h2. The corners of the triangle lie at a + b and a - b of the axis a
+/// towards the side, turned by 90 degrees b. The compiler vectorises it only as a function of its
+/// own.
+TOSS_ALSO_FOR_AVX2
+void weigh(int side, float h0, float h1, float h2, const Gate& gate, Picked& picked) {
+  const float* const towards = side % 2 == 0 ? picked.dx.data() : picked.dy.data();
+  const float* const aside = side % 2 == 0 ? picked.dy.data() : picked.dx.data();
+  const float signAlong = side < 2 ? 1.0f : -1.0f, signAcross = side % 3 == 0 ? 1.0f : -1.0f;
+  const float below = gate.below, above = gate.above;
+  for (std::size_t i = 0; i < kPickedReturns; ++i) {
+    const float along = signAlong * towards[i], across = signAcross * aside[i];
+    const float l0 = 0.5f * (along - across), l1 = 0.5f * (along + across), l2 = 1.0f - along;
+    const float height = picked.z[i] - (l0 * h0 + l1 * h1 + l2 * h2);
+    const float off = height * (height > 0.0f ? above : below);
+    const float fade = std::max(0.0f, 1.0f - off * off);
+    picked.l0[i] = l0, picked.l1[i] = l1, picked.l2[i] = l2;
+    picked.height[i] = height, picked.weight[i] = fade * fade;
+  }
 }
 
 }  // namespace
@@ -104,21 +132,24 @@ void TerrainFit::add(int node, const NodePoints& points, const VertexHeights& he
 
   const Eigen::Vector2f& centre = field_.vertexPosition(sums.vertices[2]);
   const float halfSides = 2.0f / field_.cellSize();
-  const float below = 1.0f / gate, above = 1.0f / (kAbove * gate);
   const std::size_t stride = (points.count + kPickedReturns - 1) / kPickedReturns;
+  Picked picked;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points.count; i += stride, ++count) {
+    picked.dx[count] = (points[i].x - centre.x()) * halfSides;
+    picked.dy[count] = (points[i].y - centre.y()) * halfSides;
+    picked.z[count] = points[i].z;
+  }
+  weigh(node % 4, h0, h1, h2, {1.0f / gate, 1.0f / (kAbove * gate)}, picked);
   float total = 0.0f;
-  for (std::size_t i = 0; i < points.count; i += stride) {
-    const auto [l0, l1, l2] = barycentric(node % 4, (points[i].x - centre.x()) * halfSides,
-                                          (points[i].y - centre.y()) * halfSides);
-    const float height = points[i].z - (l0 * h0 + l1 * h1 + l2 * h2);
-    const float off = height * (height > 0.0f ? above : below);
-    const float fade = 1.0f - off * off;
-    if (!(fade > 0.0f)) continue;
-    if (upright != nullptr && height > kClearlyAbove &&
-        upright->anyAbove(static_cast<std::size_t>(points[i].original))) {
-      continue;
+  for (std::size_t i = 0; i < count; ++i) {
+    float w = picked.weight[i];
+    const bool clearlyAbove = (w > 0.0f) & (picked.height[i] > kClearlyAbove);
+    if (upright != nullptr && clearlyAbove &&
+        upright->anyAbove(static_cast<std::size_t>(points[i * stride].original))) {
+      w = 0.0f;
     }
-    const float w = fade * fade, wz = w * points[i].z;
+    const float l0 = picked.l0[i], l1 = picked.l1[i], l2 = picked.l2[i], wz = w * picked.z[i];
     sums.products[0] += w * l0 * l0, sums.products[1] += w * l0 * l1;
     sums.products[2] += w * l0 * l2, sums.products[3] += w * l1 * l1;
     sums.products[4] += w * l1 * l2, sums.products[5] += w * l2 * l2;

@@ -1,51 +1,95 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <toss/geometry/ProcessorVariants.h>
 #include <toss/visibility/CellThinning.h>
 
 #include <algorithm>
+#include <array>
 
 namespace toss {
 namespace {
 
-/// Cell number along one axis in 14 bits: cells that are 2^14 apart share a number.
-std::uint64_t axisBits(float inCells) {
-  const auto towardsZero = static_cast<std::int32_t>(inCells);
-  const std::int32_t floor = towardsZero - (inCells < static_cast<float>(towardsZero) ? 1 : 0);
-  return static_cast<std::uint64_t>(floor & 0x3FFF);
-}
+/// Bits of a cell number along one axis: cells that are 2^14 apart share a number.
+constexpr int kAxisBits = 14;
+constexpr std::int32_t kAxisMask = (1 << kAxisBits) - 1;
+/// Bits of a cell's key, above which stands the number of its round.
+constexpr int kKeyBits = 3 * kAxisBits;
+constexpr std::uint64_t kRounds = std::uint64_t{1} << (64 - kKeyBits);
 
-void addCell(const LevelPoints& points, std::int32_t point, std::int32_t instance,
-             EvidenceCells& cells) {
-  const auto i = static_cast<std::size_t>(point);
-  cells.x.push_back(points.x[i]), cells.y.push_back(points.y[i]), cells.z.push_back(points.z[i]);
-  cells.instance.push_back(instance);
+/// Cell number along one axis, rounded down by hand: calls of std::floor take long.
+std::int32_t axisBits(float inCells) {
+  const auto towardsZero = static_cast<std::int32_t>(inCells);
+  return (towardsZero - static_cast<int>(inCells < static_cast<float>(towardsZero))) & kAxisMask;
 }
 
 }  // namespace
 
-std::uint64_t CellThinning::keyOf(const LevelPoints& points, std::size_t point) const {
-  return (std::uint64_t{1} << 42) | axisBits(points.x[point] * inverseSize_) << 28 |
-         axisBits(points.y[point] * inverseSize_) << 14 | axisBits(points.z[point] * inverseSize_);
+/// Some returns, and the number of the cell of each: along x, and along y and z together.
+struct CellThinning::Block {
+  static constexpr std::size_t kMost = 128;
+  std::array<float, kMost> x, y, z;
+  std::array<std::int32_t, kMost> alongX, alongYZ;
+
+  void gather(const LevelPoints& points, const std::int32_t* point, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto p = static_cast<std::size_t>(point[i]);
+      x[i] = points.x[p], y[i] = points.y[p], z[i] = points.z[p];
+    }
+  }
+  void findCells(float cellsPerMetre, std::size_t count);
+  std::uint64_t key(std::size_t i) const {
+    return static_cast<std::uint64_t>(alongX[i]) << (2 * kAxisBits) |
+           static_cast<std::uint64_t>(alongYZ[i]);
+  }
+};
+
+/// The compiler vectorises it only as a function of its own.
+TOSS_ALSO_FOR_AVX2
+void CellThinning::Block::findCells(float cellsPerMetre, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    alongX[i] = axisBits(x[i] * cellsPerMetre);
+    alongYZ[i] = axisBits(y[i] * cellsPerMetre) << kAxisBits | axisBits(z[i] * cellsPerMetre);
+  }
 }
 
+/// Slots of earlier rounds are free, so that none has to be cleared.
 void CellThinning::startTable(std::size_t count) {
   shift_ = 60;
   while ((std::size_t{1} << (64 - shift_)) < 2 * count) --shift_;
   const std::size_t slots = std::size_t{1} << (64 - shift_);
-  if (keys_.size() < slots) keys_.resize(slots), cellOfSlot_.resize(slots);
-  std::fill_n(keys_.begin(), slots, 0);
+  if (++round_ == kRounds) {
+    std::fill(slots_.begin(), slots_.end(), Slot());
+    round_ = 1;
+  }
+  if (slots_.size() < slots) slots_.resize(slots);
   firstPoint_.clear();
 }
 
 std::int32_t CellThinning::cellOf(std::uint64_t key, std::int32_t point) {
   const std::size_t mask = (std::size_t{1} << (64 - shift_)) - 1;
-  std::size_t slot = static_cast<std::size_t>((key * 0x9E3779B97F4A7C15ull) >> shift_);
-  while (keys_[slot] != 0 && keys_[slot] != key) slot = (slot + 1) & mask;
-  if (keys_[slot] == 0) {
-    keys_[slot] = key;
-    cellOfSlot_[slot] = static_cast<std::int32_t>(firstPoint_.size());
-    firstPoint_.push_back(point);
+  const std::uint64_t ownKey = round_ << kKeyBits | key;
+  std::size_t place = static_cast<std::size_t>((key * 0x9E3779B97F4A7C15ull) >> shift_);
+  while (slots_[place].key != ownKey) {
+    if (slots_[place].key >> kKeyBits != round_) {
+      slots_[place] = {ownKey, static_cast<std::int32_t>(firstPoint_.size())};
+      firstPoint_.push_back(point);
+      break;
+    }
+    place = (place + 1) & mask;
   }
-  return cellOfSlot_[slot];
+  return slots_[place].cell;
+}
+
+template <typename Visit>
+void CellThinning::visitKeys(const LevelPoints& points, const std::int32_t* begin,
+                             const std::int32_t* end, Visit&& visit) const {
+  Block block;
+  while (begin != end) {
+    const auto count = std::min(Block::kMost, static_cast<std::size_t>(end - begin));
+    block.gather(points, begin, count);
+    block.findCells(inverseSize_, count);
+    for (std::size_t i = 0; i < count; ++i) visit(begin[i], block.key(i));
+    begin += count;
+  }
 }
 
 void CellThinning::thinUnclustered(const LevelPoints& points, const Segmentation& segmentation,
@@ -55,30 +99,40 @@ void CellThinning::thinUnclustered(const LevelPoints& points, const Segmentation
     if (segmentation.pointClass[i] == PointClass::Unclustered)
       cells.lonePoint.push_back(static_cast<std::int32_t>(i));
   startTable(cells.lonePoint.size());
-  for (const std::int32_t i : cells.lonePoint)
-    cells.loneCell.push_back(cellOf(keyOf(points, static_cast<std::size_t>(i)), i));
-  for (const std::int32_t point : firstPoint_) addCell(points, point, 0, cells);
+  const std::int32_t* const lone = cells.lonePoint.data();
+  visitKeys(
+      points, lone, lone + cells.lonePoint.size(),
+      [&](std::int32_t point, std::uint64_t key) { cells.loneCell.push_back(cellOf(key, point)); });
+  picked_ = firstPoint_;
+  cells.instance.assign(picked_.size(), 0);
 }
 
 void CellThinning::thinInstance(const LevelPoints& points, const std::int32_t* begin,
                                 const std::int32_t* end, std::int32_t instance,
                                 EvidenceCells& cells) {
   startTable(static_cast<std::size_t>(end - begin));
-  std::uint64_t last = 0;
-  for (const std::int32_t* point = begin; point != end; ++point) {
-    const std::uint64_t key = keyOf(points, static_cast<std::size_t>(*point));
+  std::uint64_t last = ~std::uint64_t{0};
+  visitKeys(points, begin, end, [&](std::int32_t point, std::uint64_t key) {
     // Neighbours along a row mostly share their cell.
-    if (key != last) cellOf(key, *point);
+    if (key != last) cellOf(key, point);
     last = key;
-  }
+  });
   const std::size_t stride = 1 + (firstPoint_.size() - 1) / maxCells_;
-  for (std::size_t c = 0; c < firstPoint_.size(); c += stride)
-    addCell(points, firstPoint_[c], instance, cells);
+  for (std::size_t c = 0; c < firstPoint_.size(); c += stride) picked_.push_back(firstPoint_[c]);
+  cells.instance.resize(picked_.size(), instance);
+}
+
+void CellThinning::takeCoordinates(const LevelPoints& points, EvidenceCells& cells) const {
+  const std::size_t n = picked_.size();
+  cells.x.resize(n), cells.y.resize(n), cells.z.resize(n);
+  for (std::size_t c = 0; c < n; ++c) {
+    const auto point = static_cast<std::size_t>(picked_[c]);
+    cells.x[c] = points.x[point], cells.y[c] = points.y[point], cells.z[c] = points.z[point];
+  }
 }
 
 void CellThinning::thin(const LevelPoints& points, const Segmentation& segmentation,
                         EvidenceCells& cells) {
-  cells.x.clear(), cells.y.clear(), cells.z.clear(), cells.instance.clear();
   cells.lonePoint.clear(), cells.loneCell.clear();
   thinUnclustered(points, segmentation, cells);
   const std::int32_t* members = segmentation.members.data();
@@ -86,6 +140,7 @@ void CellThinning::thin(const LevelPoints& points, const Segmentation& segmentat
     const std::int32_t* begin = &segmentation.memberBegin[static_cast<std::size_t>(k) - 1];
     thinInstance(points, members + begin[0], members + begin[1], k, cells);
   }
+  takeCoordinates(points, cells);
   cells.past.reset(cells.size());
   cells.later.reset(cells.size());
 }

@@ -23,8 +23,16 @@ class CellThinning {
   void thin(const LevelPoints& points, const Segmentation& segmentation, EvidenceCells& cells);
 
  private:
-  /// Key of the grid cell that holds the point; never 0.
-  std::uint64_t keyOf(const LevelPoints& points, std::size_t point) const;
+  struct Block;
+  /// An entry of the table of cells: its key below the number of the round that made it.
+  struct Slot {
+    std::uint64_t key = 0;
+    std::int32_t cell = 0;
+  };
+  /// Calls visit(point, key of its cell) for each of some points.
+  template <typename Visit>
+  void visitKeys(const LevelPoints& points, const std::int32_t* begin, const std::int32_t* end,
+                 Visit&& visit) const;
   /// Forgets all cells; then up to `count` may come.
   void startTable(std::size_t count);
   /// Number of the cell with that key, in order of their coming; a new one is met at `point`.
@@ -33,15 +41,18 @@ class CellThinning {
                        EvidenceCells& cells);
   void thinInstance(const LevelPoints& points, const std::int32_t* begin, const std::int32_t* end,
                     std::int32_t instance, EvidenceCells& cells);
+  void takeCoordinates(const LevelPoints& points, EvidenceCells& cells) const;
 
   float inverseSize_;
   std::size_t maxCells_;
-  /// Open addressing with 2^(64 - shift_) slots; key 0 marks a free one.
-  std::vector<std::uint64_t> keys_;
-  std::vector<std::int32_t> cellOfSlot_;
+  /// Open addressing in the first 2^(64 - shift_) slots; those of other rounds are free.
+  std::vector<Slot> slots_;
+  std::uint64_t round_ = 0;
   int shift_ = 64;
   /// First point of each cell met so far.
   std::vector<std::int32_t> firstPoint_;
+  /// Points that stand for the cells of the scan.
+  std::vector<std::int32_t> picked_;
 };
 
 }  // namespace toss
