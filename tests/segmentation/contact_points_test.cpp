@@ -31,7 +31,7 @@ struct Column {
   std::vector<PointClass> release(double slope = 1.0) {
     GroundOptions options;
     options.contactHeight = 0.03, options.contactSlope = slope;
-    releaseContactPoints(points, image, options, segmentation);
+    ContactPoints().release(points, image, options, segmentation);
     return segmentation.pointClass;
   }
 };

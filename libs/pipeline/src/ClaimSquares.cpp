@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClaimSquares.h"
 
+#include <toss/geometry/MarkedWords.h>
 #include <toss/geometry/ProcessorVariants.h>
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 namespace toss {
 namespace {
@@ -16,7 +16,7 @@ constexpr int kCutterShift = 2;
 constexpr Mark kOutright = 1, kResidue = 2, kMany = 0xfffc;
 /// In the place of an instance's own mark: it is not cut; or it is, but has no mark of its own.
 constexpr Mark kNotCut = kMany + 1, kNoMark = 1;
-constexpr std::size_t kBlock = 512, kWord = 8;
+constexpr std::size_t kBlock = 512;
 
 Mark cutterOf(std::int32_t instance) {
   const bool named = instance > 0 && instance < kMany >> kCutterShift;
@@ -57,7 +57,7 @@ void decide(const Mark* __restrict mark, const Mark* __restrict asked, const Mar
 
 }  // namespace
 
-/// Some returns of the scan, with room for a whole word of them at the end.
+/// Some returns of the scan.
 struct ClaimSquares::Block {
   std::array<std::int32_t, kBlock> square;
   std::array<Mark, kBlock> asked, mark, own;
@@ -114,23 +114,20 @@ void ClaimSquares::findInBlock(const LevelPoints& points, const Segmentation& se
   std::fill(block.wanted.begin() + size, block.wanted.end(), std::uint8_t{0});
   Found* const found = found_.data();
   std::size_t count = count_;
-  for (std::size_t word = 0; word < size; word += kWord) {
-    std::uint64_t any;
-    std::memcpy(&any, block.wanted.data() + word, sizeof(any));
-    if (any == 0) continue;
+  visitMarkedWords(block.wanted.data(), kBlock, [&](std::size_t first) {
     // Without branches, as no one could foretell which of them are wanted.
-    for (std::size_t i = word; i < word + kWord; ++i) {
+    for (std::size_t i = first; i < first + kMarksInWord; ++i) {
       found[count] = {static_cast<std::int32_t>(begin + i), block.square[i]};
       count += block.wanted[i];
     }
-  }
+  });
   count_ = count;
 }
 
 void ClaimSquares::find(const LevelPoints& points, const Segmentation& segmentation,
                         float lowGround, const std::vector<bool>& cuttable) {
   const std::size_t n = points.x.size();
-  if (found_.size() < n + kWord) found_.resize(n + kWord);
+  if (found_.size() < n + kMarksInWord) found_.resize(n + kMarksInWord);
   findOwnMarks(cuttable);
   count_ = 0;
   for (std::size_t begin = 0; begin < n; begin += kBlock)

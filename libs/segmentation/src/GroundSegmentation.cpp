@@ -49,6 +49,7 @@ struct GroundSegmentation::Implementation {
   std::vector<GroundNode> nodes, fineNodes;
   NodeSorting sorted;
   TerrainFit terrain;
+  ContactPoints contacts;
   VertexHeights heights, fineHeights;
   /// Ground returns in each fine node, and returns that may lie below the ground.
   std::vector<std::int32_t> groundReturns;
@@ -171,7 +172,7 @@ void GroundSegmentation::segment(const LevelPoints& points, const RangeImage& im
     stage.fineNodes = stage.nodes;
   }
   stage.labelPoints(points, segmentation);
-  releaseContactPoints(points, image, stage.options, segmentation);
+  stage.contacts.release(points, image, stage.options, segmentation);
 }
 
 const TriGridField& GroundSegmentation::field() const {
