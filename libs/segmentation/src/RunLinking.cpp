@@ -70,15 +70,17 @@ void RunLinking::linkUpwards(Span runs, int row, Index shift) {
   for (Index a = runs.begin; a < runs.end; ++a) {
     const Index first = runs_.firstColumn[at(a)] - shift, last = runs_.lastColumn[at(a)] - shift;
     const Index window = runs_.reaches.window[at(a)];
-    RunVicinity vicinity = search_.keys.betweenRows(a, sets_.find(a), first, last);
+    Index root = sets_.find(a);
+    RunVicinity vicinity = search_.keys.betweenRows(a, root, first, last);
     const bool surface =
         runs_.lowest[at(a)] <= -rules_.surfaceDepth && nextRow_.ofRun[a] < nextRow_.surface;
     for (int upper = row - 1; upper >= std::max(0, row - rules_.rowWindow); --upper) {
       const Span others = search_.columns.touching(upper, first - window, last + window);
       if (upper == row - 1 && surface) {
-        linkNear<true>(a, others, vicinity, nextRow_, shift);
+        linkNear<true>(a, root, others, vicinity, nextRow_, shift);
       } else {
-        linkNear<false>(a, others, vicinity, upper == row - 1 ? nextRow_ : fartherRow_, shift);
+        linkNear<false>(a, root, others, vicinity, upper == row - 1 ? nextRow_ : fartherRow_,
+                        shift);
       }
     }
   }
@@ -90,17 +92,17 @@ void RunLinking::linkWithin(Span runs, int row, Index shift) {
     const Index window = runs_.reaches.window[at(a)];
     Span others = search_.columns.touching(row, first - window, last + window);
     if (shift == 0) others.begin = a + 1;
-    RunVicinity vicinity = search_.keys.withinRow(a, sets_.find(a));
-    linkNear<false>(a, others, vicinity, within_, shift);
+    Index root = sets_.find(a);
+    RunVicinity vicinity = search_.keys.withinRow(a, root);
+    linkNear<false>(a, root, others, vicinity, within_, shift);
   }
 }
 
-/// Links a run with those of others that lie in its vicinity.
+/// Links a run, of the set of `root`, with those of others that lie in its vicinity.
 template <bool withSurface>
-void RunLinking::linkNear(Index a, Span others, RunVicinity& vicinity, const Limits& limits,
-                          Index shift) {
+void RunLinking::linkNear(Index a, Index& root, Span others, RunVicinity& vicinity,
+                          const Limits& limits, Index shift) {
   constexpr Index kLanes = RunKeys::kLanes;
-  Index root = sets_.find(a);
   for (Index b = others.begin; b < others.end; b += kLanes) {
     std::uint32_t candidates = search_.keys.inVicinity<withSurface>(b, vicinity);
     if (others.end - b < kLanes) candidates &= (1u << (others.end - b)) - 1u;
@@ -109,22 +111,25 @@ void RunLinking::linkNear(Index a, Span others, RunVicinity& vicinity, const Lim
       candidates &= candidates - 1;
       if (!link(a, root, b + lane, limits, shift)) continue;
       // Many of the others have become of its set.
-      root = sets_.find(a);
       vicinity.set = RunKeys::ofOwnSet(root);
       candidates &= search_.keys.inVicinity<withSurface>(b, vicinity);
     }
   }
 }
 
-/// Unites two runs if any of their nodes are linked. Returns whether it did.
-bool RunLinking::link(Index a, Index rootOfA, Index b, const Limits& limits, Index shift) {
+/// Unites two runs if any of their nodes are linked. Returns whether it did; `root` is then that of
+/// both.
+bool RunLinking::link(Index a, Index& root, Index b, const Limits& limits, Index shift) {
   const Index rootOfB = sets_.find(b);
-  if (rootOfA == rootOfB) return false;
+  if (root == rootOfB) return false;
   const Index nodes =
       (runs_.end[at(a)] - runs_.begin[at(a)]) + (runs_.end[at(b)] - runs_.begin[at(b)]);
   const bool linked = touchMidway(a, b, limits, shift) ||
                       (nodes > 2 && !apart(a, b, limits) && touches(a, b, limits, shift));
-  if (linked) sets_.uniteRoots(rootOfA, rootOfB);
+  if (linked) {
+    sets_.uniteRoots(root, rootOfB);
+    root = std::min(root, rootOfB);
+  }
   return linked;
 }
 

@@ -45,8 +45,9 @@ class RunLinking {
   void linkUpwards(Span runs, int row, Index shift);
   void linkWithin(Span runs, int row, Index shift);
   template <bool withSurface>
-  void linkNear(Index a, Span others, RunVicinity& vicinity, const Limits& limits, Index shift);
-  bool link(Index a, Index rootOfA, Index b, const Limits& limits, Index shift);
+  void linkNear(Index a, Index& root, Span others, RunVicinity& vicinity, const Limits& limits,
+                Index shift);
+  bool link(Index a, Index& root, Index b, const Limits& limits, Index shift);
   std::size_t nodeNear(Index run, Index column) const;
   bool touchMidway(Index a, Index b, const Limits& limits, Index shift) const;
   /// Whether the rectangles around two runs are too far apart for any of their nodes to be linked.
