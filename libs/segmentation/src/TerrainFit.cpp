@@ -8,8 +8,7 @@
 namespace toss {
 namespace {
 
-/// Returns of one node that the fit looks at, evenly picked, and the most that they weigh together.
-constexpr std::size_t kPickedReturns = 24;
+/// The most that the returns of one node weigh together.
 constexpr float kFullWeight = 16.0f;
 /// Share of the gate that reaches above the surface.
 constexpr float kAbove = 0.6f;
@@ -35,42 +34,6 @@ float dot(const std::vector<float>& a, const std::vector<float>& b) {
   }
   for (std::size_t i = whole; i < a.size(); ++i) sums[0] += a[i] * b[i];
   return (sums[0] + sums[1]) + (sums[2] + sums[3]);
-}
-
-/// The returns of one node that the fit looks at, side by side.
-struct Picked {
-  template <typename T>
-  using Each = std::array<T, kPickedReturns>;
-  /// Offsets to the centre of the square in half sides, and height in the level frame [m].
-  Each<float> dx{}, dy{}, z{};
-  /// Barycentric coordinates; distance above the surface [m]; weight in the fit.
-  Each<float> l0, l1, l2, height, weight;
-};
-
-/// Limits of the distance from the surface, as their inverses [1/m].
-struct Gate {
-  float below, above;
-};
-
-/// Weighs returns of triangle `side` of a square by their distance from the surface whose vertices
-/// have the heights h0, h1, h2. The corners of the triangle lie at a + b and a - b of the axis a
-/// towards the side, turned by 90 degrees b. The compiler vectorises it only as a function of its
-/// own.
-TOSS_ALSO_FOR_AVX2
-void weigh(int side, float h0, float h1, float h2, const Gate& gate, Picked& picked) {
-  const float* const towards = side % 2 == 0 ? picked.dx.data() : picked.dy.data();
-  const float* const aside = side % 2 == 0 ? picked.dy.data() : picked.dx.data();
-  const float signAlong = side < 2 ? 1.0f : -1.0f, signAcross = side % 3 == 0 ? 1.0f : -1.0f;
-  const float below = gate.below, above = gate.above;
-  for (std::size_t i = 0; i < kPickedReturns; ++i) {
-    const float along = signAlong * towards[i], across = signAcross * aside[i];
-    const float l0 = 0.5f * (along - across), l1 = 0.5f * (along + across), l2 = 1.0f - along;
-    const float height = picked.z[i] - (l0 * h0 + l1 * h1 + l2 * h2);
-    const float off = height * (height > 0.0f ? above : below);
-    const float fade = std::max(0.0f, 1.0f - off * off);
-    picked.l0[i] = l0, picked.l1[i] = l1, picked.l2[i] = l2;
-    picked.height[i] = height, picked.weight[i] = fade * fade;
-  }
 }
 
 }  // namespace
@@ -101,24 +64,42 @@ void TerrainFit::extend(VertexHeights& heights) {
   sum_.assign(heights.size(), 0.0f);
   count_.assign(heights.size(), 0.0f);
   for (const Stencil& stencil : stencils_) {
-    std::int32_t unknown = kNone;
-    float rest = 0.0f, unknownFactor = 0.0f;
-    int unknowns = 0;
-    // Without branches: what is known changes from stencil to stencil.
+    // Without branches: what is known changes from stencil to stencil. The place is that of the
+    // unknown vertex if there is just one.
+    float rest = 0.0f;
+    std::size_t unknowns = 0, place = 0;
     for (std::size_t i = 0; i < 4; ++i) {
       const float factor = stencil.factors[i], height = heights[at(stencil.vertices[i])];
-      const bool missing = std::isnan(height) & (factor != 0.0f);
-      unknown = missing ? stencil.vertices[i] : unknown;
-      unknownFactor = missing ? factor : unknownFactor;
-      unknowns += missing ? 1 : 0;
-      rest += std::isnan(height) ? 0.0f : factor * height;
+      const bool isUnknown = std::isnan(height);
+      const auto missing = static_cast<std::size_t>(isUnknown & (factor != 0.0f));
+      unknowns += missing, place += missing * i;
+      rest += isUnknown ? 0.0f : factor * height;
     }
     if (unknowns != 1) continue;
-    sum_[at(unknown)] -= rest / unknownFactor;
-    count_[at(unknown)] += 1.0f;
+    const std::size_t unknown = at(stencil.vertices[place]);
+    sum_[unknown] -= rest / stencil.factors[place];
+    count_[unknown] += 1.0f;
   }
   for (std::size_t v = 0; v < heights.size(); ++v) {
     if (count_[v] > 0.0f) heights[v] = sum_[v] / count_[v];
+  }
+}
+
+/// The corners of the triangle lie at a + b and a - b of the axis a towards its side, turned by 90
+/// degrees b. The compiler vectorises it only as a function of its own.
+TOSS_ALSO_FOR_AVX2
+void TerrainFit::Picked::weigh(int side, const std::array<float, 3>& h, float below, float above) {
+  const float* const towards = side % 2 == 0 ? dx.data() : dy.data();
+  const float* const aside = side % 2 == 0 ? dy.data() : dx.data();
+  const float signAlong = side < 2 ? 1.0f : -1.0f, signAcross = side % 3 == 0 ? 1.0f : -1.0f;
+  const float h0 = h[0], h1 = h[1], h2 = h[2];
+  for (std::size_t i = 0; i < kMost; ++i) {
+    const float along = signAlong * towards[i], across = signAcross * aside[i];
+    l0[i] = 0.5f * (along - across), l1[i] = 0.5f * (along + across), l2[i] = 1.0f - along;
+    height[i] = z[i] - (l0[i] * h0 + l1[i] * h1 + l2[i] * h2);
+    const float off = height[i] * (height[i] > 0.0f ? above : below);
+    const float fade = std::max(0.0f, 1.0f - off * off);
+    weight[i] = fade * fade;
   }
 }
 
@@ -132,15 +113,15 @@ void TerrainFit::add(int node, const NodePoints& points, const VertexHeights& he
 
   const Eigen::Vector2f& centre = field_.vertexPosition(sums.vertices[2]);
   const float halfSides = 2.0f / field_.cellSize();
-  const std::size_t stride = (points.count + kPickedReturns - 1) / kPickedReturns;
-  Picked picked;
+  const std::size_t stride = (points.count + Picked::kMost - 1) / Picked::kMost;
+  Picked& picked = picked_;
   std::size_t count = 0;
   for (std::size_t i = 0; i < points.count; i += stride, ++count) {
     picked.dx[count] = (points[i].x - centre.x()) * halfSides;
     picked.dy[count] = (points[i].y - centre.y()) * halfSides;
     picked.z[count] = points[i].z;
   }
-  weigh(node % 4, h0, h1, h2, {1.0f / gate, 1.0f / (kAbove * gate)}, picked);
+  picked.weigh(node % 4, {h0, h1, h2}, 1.0f / gate, 1.0f / (kAbove * gate));
   float total = 0.0f;
   for (std::size_t i = 0; i < count; ++i) {
     float w = picked.weight[i];

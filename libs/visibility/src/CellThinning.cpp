@@ -28,17 +28,30 @@ struct CellThinning::Block {
   static constexpr std::size_t kMost = 128;
   std::array<float, kMost> x, y, z;
   std::array<std::int32_t, kMost> alongX, alongYZ;
+  /// Points that were chosen, and the keys of their cells.
+  std::array<std::int32_t, kMost> point;
+  std::array<std::uint64_t, kMost> key;
 
-  void gather(const LevelPoints& points, const std::int32_t* point, std::size_t count) {
+  void gather(const LevelPoints& points, const std::int32_t* all, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-      const auto p = static_cast<std::size_t>(point[i]);
+      const auto p = static_cast<std::size_t>(all[i]);
       x[i] = points.x[p], y[i] = points.y[p], z[i] = points.z[p];
     }
   }
   void findCells(float cellsPerMetre, std::size_t count);
-  std::uint64_t key(std::size_t i) const {
-    return static_cast<std::uint64_t>(alongX[i]) << (2 * kAxisBits) |
-           static_cast<std::uint64_t>(alongYZ[i]);
+  /// Lists points with their keys, or only those whose key is not that of the point before, `last`
+  /// at first; returns how many. Without branches, as no one could foretell which these are.
+  std::size_t choose(const std::int32_t* all, std::size_t count, bool onlyChanges,
+                     std::uint64_t& last) {
+    std::size_t chosen = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint64_t own = static_cast<std::uint64_t>(alongX[i]) << (2 * kAxisBits) |
+                                static_cast<std::uint64_t>(alongYZ[i]);
+      point[chosen] = all[i], key[chosen] = own;
+      chosen += static_cast<std::size_t>(!onlyChanges | (own != last));
+      last = own;
+    }
+    return chosen;
   }
 };
 
@@ -81,13 +94,15 @@ std::int32_t CellThinning::cellOf(std::uint64_t key, std::int32_t point) {
 
 template <typename Visit>
 void CellThinning::visitKeys(const LevelPoints& points, const std::int32_t* begin,
-                             const std::int32_t* end, Visit&& visit) const {
+                             const std::int32_t* end, bool onlyChanges, Visit&& visit) const {
   Block block;
+  std::uint64_t last = ~std::uint64_t{0};
   while (begin != end) {
     const auto count = std::min(Block::kMost, static_cast<std::size_t>(end - begin));
     block.gather(points, begin, count);
     block.findCells(inverseSize_, count);
-    for (std::size_t i = 0; i < count; ++i) visit(begin[i], block.key(i));
+    const std::size_t chosen = block.choose(begin, count, onlyChanges, last);
+    for (std::size_t i = 0; i < chosen; ++i) visit(block.point[i], block.key[i]);
     begin += count;
   }
 }
@@ -101,7 +116,7 @@ void CellThinning::thinUnclustered(const LevelPoints& points, const Segmentation
   startTable(cells.lonePoint.size());
   const std::int32_t* const lone = cells.lonePoint.data();
   visitKeys(
-      points, lone, lone + cells.lonePoint.size(),
+      points, lone, lone + cells.lonePoint.size(), false,
       [&](std::int32_t point, std::uint64_t key) { cells.loneCell.push_back(cellOf(key, point)); });
   picked_ = firstPoint_;
   cells.instance.assign(picked_.size(), 0);
@@ -111,12 +126,8 @@ void CellThinning::thinInstance(const LevelPoints& points, const std::int32_t* b
                                 const std::int32_t* end, std::int32_t instance,
                                 EvidenceCells& cells) {
   startTable(static_cast<std::size_t>(end - begin));
-  std::uint64_t last = ~std::uint64_t{0};
-  visitKeys(points, begin, end, [&](std::int32_t point, std::uint64_t key) {
-    // Neighbours along a row mostly share their cell.
-    if (key != last) cellOf(key, point);
-    last = key;
-  });
+  visitKeys(points, begin, end, true,
+            [&](std::int32_t point, std::uint64_t key) { cellOf(key, point); });
   const std::size_t stride = 1 + (firstPoint_.size() - 1) / maxCells_;
   for (std::size_t c = 0; c < firstPoint_.size(); c += stride) picked_.push_back(firstPoint_[c]);
   cells.instance.resize(picked_.size(), instance);

@@ -43,6 +43,19 @@ class TerrainFit {
     std::array<float, 6> products;
     std::array<float, 3> heights;
   };
+  /// Returns of one node that the fit looks at, evenly picked, side by side.
+  struct Picked {
+    static constexpr std::size_t kMost = 24;
+    using Each = std::array<float, kMost>;
+    /// Offsets to the centre of the square in half sides, and height in the level frame [m].
+    Each dx{}, dy{}, z{};
+    /// Barycentric coordinates; distance above the surface [m]; weight in the fit.
+    Each l0, l1, l2, height, weight;
+
+    /// Weighs returns of triangle `side` of a square by their distance from the surface whose
+    /// vertices have the heights `h` [m]; `below`, `above`: inverse of the largest distance [1/m].
+    void weigh(int side, const std::array<float, 3>& h, float below, float above);
+  };
   /// Four vertices whose heights, with these factors, add up to 0 where the surface is straight.
   struct Stencil {
     std::array<std::int32_t, 4> vertices;
@@ -63,6 +76,7 @@ class TerrainFit {
   std::vector<Stencil> active_;
   std::vector<std::int32_t> unknownOf_, vertexOf_;
   std::vector<float> solution_, inverseDiagonal_, residual_, direction_, product_, scaled_;
+  Picked picked_;
   /// Buffers of extend(), shape [vertices].
   std::vector<float> sum_, count_;
 };

@@ -29,10 +29,11 @@ class CellThinning {
     std::uint64_t key = 0;
     std::int32_t cell = 0;
   };
-  /// Calls visit(point, key of its cell) for each of some points.
+  /// Calls visit(point, key of its cell) for each of some points, or with `onlyChanges` for those
+  /// that are not in the cell of the one before: neighbours along a row mostly share theirs.
   template <typename Visit>
   void visitKeys(const LevelPoints& points, const std::int32_t* begin, const std::int32_t* end,
-                 Visit&& visit) const;
+                 bool onlyChanges, Visit&& visit) const;
   /// Forgets all cells; then up to `count` may come.
   void startTable(std::size_t count);
   /// Number of the cell with that key, in order of their coming; a new one is met at `point`.
