@@ -114,7 +114,7 @@ TEST(VoxelMap, HoldsTheVoxelsOfItsReturnsAndNoOthers) {
   const auto runs = bin(map, inside, kNoCap);
   map.add(runs);
   const auto keyOf = [&](const RandomReturns& r, std::size_t i) {
-    return map.keyOf({r.level.x[i], r.level.y[i], r.level.z[i]}, r.sensorPosition);
+    return map.placesOf(r.level, r.sensorPosition).of(i);
   };
   std::set<VoxelKey> expected;
   for (std::size_t i = 0; i < inside.all.size(); ++i) expected.insert(keyOf(inside, i));

@@ -62,7 +62,7 @@ TEST(VoxelTiles, HoldWhatLiesInTheStoreToo) {
   std::vector<VoxelKey> places;
   driveOutAndBack([&](int number, const RandomReturns& returns) {
     map->addScan(returns.scan(), std::vector<std::int32_t>(returns.all.size(), 0), {false}, 0);
-    if (number == 0) places.push_back(map->placeOf(returns.scan(), 0));
+    if (number == 0) places.push_back(map->placesOf(returns.scan()).of(0));
     map->leaveBehind(returns.sensorPosition);
     if (number != 150) return;
     for (const VoxelKey place : places) EXPECT_TRUE(map->holds(place));
@@ -71,7 +71,7 @@ TEST(VoxelTiles, HoldWhatLiesInTheStoreToo) {
   std::mt19937 random(3);
   RandomReturns nowhere(random, 1, 4.0f);
   nowhere.sensorPosition = {5000.0, 0.0, 0.0};
-  EXPECT_FALSE(map->holds(map->placeOf(nowhere.scan(), 0)));
+  EXPECT_FALSE(map->holds(map->placesOf(nowhere.scan()).of(0)));
 }
 
 TEST(VoxelTiles, LeavingBehindDoesNotShow) {

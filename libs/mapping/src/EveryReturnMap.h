@@ -16,7 +16,7 @@ class EveryReturnMap : public StaticMap {
   void addBox(BoxId box, TrackId track, const ScanReturns& scan, IndexSpan indices,
               bool dynamic) override;
   void addToTrack(TrackId track, const ScanReturns& scan, IndexSpan indices) override;
-  VoxelKey placeOf(const ScanReturns&, std::size_t) const override { return 0; }
+  ScanPlaces placesOf(const ScanReturns& scan) const override { return {scan.level}; }
   bool holds(VoxelKey) override { return true; }
   void setDynamic(BoxId box, bool dynamic) override;
   void fold(BoxId box) override;

@@ -110,15 +110,10 @@ void VoxelMap::subtract(const VoxelSum& sum) {
   implementation_->tiles.subtract(sum);
 }
 
-VoxelKey VoxelMap::keyOf(const Eigen::Vector3f& level,
-                         const Eigen::Vector3d& sensorPosition) const {
+ScanPlaces VoxelMap::placesOf(const LevelPoints& level,
+                              const Eigen::Vector3d& sensorPosition) const {
   const VoxelReturns scan = implementation_->returns(nullptr, nullptr, nullptr, {}, sensorPosition);
-  const auto index = [&](float coordinate, double shift) {
-    const double fixed = std::floor(static_cast<double>(coordinate) * scan.scale + shift);
-    return static_cast<std::uint64_t>(fixed) >> 16;
-  };
-  return voxelKeyFromFirst(index(level.x(), scan.x.shift), index(level.y(), scan.y.shift),
-                           index(level.z(), scan.z.shift));
+  return {level, scan.scale, {scan.x.shift, scan.y.shift, scan.z.shift}};
 }
 
 bool VoxelMap::holds(VoxelKey voxel, int bits) {

@@ -15,11 +15,6 @@ const std::vector<VoxelRun>& VoxelStaticMap::bin(const ScanReturns& scan, IndexS
   return runs_;
 }
 
-VoxelKey VoxelStaticMap::placeOf(const ScanReturns& scan, std::size_t i) const {
-  return map_.voxels().keyOf({scan.level.x[i], scan.level.y[i], scan.level.z[i]},
-                             scan.sensorPosition);
-}
-
 void VoxelStaticMap::addPermanent(const ScanReturns& scan, IndexSpan indices) {
   map_.addPermanent(bin(scan, indices));
 }

@@ -17,7 +17,9 @@ class VoxelStaticMap : public StaticMap {
   void addToTrack(TrackId track, const ScanReturns& scan, IndexSpan indices) override;
   void addScan(const ScanReturns& scan, const std::vector<std::int32_t>& owner,
                const std::vector<bool>& dynamic, BoxId firstBox) override;
-  VoxelKey placeOf(const ScanReturns& scan, std::size_t i) const override;
+  ScanPlaces placesOf(const ScanReturns& scan) const override {
+    return map_.voxels().placesOf(scan.level, scan.sensorPosition);
+  }
   bool holds(VoxelKey place) override { return map_.holds(place); }
   void setDynamic(BoxId box, bool dynamic) override { map_.setDynamic(box, dynamic); }
   void fold(BoxId box) override { map_.fold(box); }

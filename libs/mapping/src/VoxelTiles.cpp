@@ -100,7 +100,11 @@ void VoxelTiles::subtract(const VoxelSum& sum) {
 
 bool VoxelTiles::holds(VoxelKey voxel, int bits) {
   const VoxelKey tile = cubeOf(voxel, tileBits_);
-  return tiles_.count(placeOf(tile)) != 0 && blocksOf(tile).holds(voxel, bits);
+  const auto found = tiles_.find(placeOf(tile));
+  if (found == tiles_.end()) return false;
+  if (!found->second.blocks) return blocksOf(tile).holds(voxel, bits);
+  found->second.needed = calls_;
+  return found->second.blocks->holds(voxel, bits);
 }
 
 std::size_t VoxelTiles::size() const {

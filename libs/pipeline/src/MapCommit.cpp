@@ -55,8 +55,9 @@ void commitScan(const MappingOptions& options, const std::vector<bool>& movingOw
   nextLedger += record.owners.size();
   const ScanReturns returns{record.level, record.intensity, record.sensorPosition};
   map.addScan(returns, owners, movingOwners, record.firstLedger);
+  const ScanPlaces places = map.placesOf(returns);
   for (ResidueReturn& each : record.residue)
-    each.place = map.placeOf(returns, static_cast<std::size_t>(each.point));
+    each.place = places.of(static_cast<std::size_t>(each.point));
   record.complete = true;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <toss/mapping/MappingOptions.h>
+#include <toss/mapping/ScanPlaces.h>
 #include <toss/mapping/VoxelMap.h>
 #include <toss/segmentation/Segmentation.h>
 #include <toss/tracking/Track.h>
@@ -47,8 +48,8 @@ class StaticMap {
   virtual void addScan(const ScanReturns& scan, const std::vector<std::int32_t>& owner,
                        const std::vector<bool>& dynamic, BoxId firstBox);
 
-  /// Name of the place of return `i` of a scan, for holds().
-  virtual VoxelKey placeOf(const ScanReturns& scan, std::size_t i) const = 0;
+  /// Names of the places of a scan's returns, for holds().
+  virtual ScanPlaces placesOf(const ScanReturns& scan) const = 0;
   /// Whether any static return is in a place by present labels; places are about 0.2 m large. A map
   /// without voxels holds all places.
   virtual bool holds(VoxelKey place) = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <toss/mapping/ScanPlaces.h>
 #include <toss/mapping/TileStore.h>
 #include <toss/mapping/VoxelKey.h>
 
@@ -119,9 +120,9 @@ class VoxelMap {
   void subtract(const RunSpan& runs);
   void subtract(const VoxelSum& sum);
 
-  /// Voxel of a return at `level` [m, level frame] of a sensor at `sensorPosition` [m, map frame],
-  /// both within reach of the map.
-  VoxelKey keyOf(const Eigen::Vector3f& level, const Eigen::Vector3d& sensorPosition) const;
+  /// Voxels of the returns of a sensor at `sensorPosition` [m, map frame]. Throws UserError where
+  /// that is out of reach.
+  ScanPlaces placesOf(const LevelPoints& level, const Eigen::Vector3d& sensorPosition) const;
   /// Whether any voxel holds returns of the cube of 2^bits voxels a side in which `voxel` lies;
   /// `bits` is at most kBlockBits.
   bool holds(VoxelKey voxel, int bits);
