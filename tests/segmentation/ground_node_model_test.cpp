@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
-#include <toss/segmentation/GroundNodeModel.h>
+#include <toss/segmentation/GroundNodeFit.h>
 
 #include <cmath>
 #include <random>
@@ -36,7 +36,7 @@ struct NodeReturns {
 
 TEST(GroundNodeModel, FitsTheLowerOfTwoSurfaces) {
   const NodeReturns returns = NodeReturns().plane(200, -1.7f, 0.1f).plane(100, 0.3f);
-  const GroundNode node = fitGroundNode(returns.points(), GroundOptions{});
+  const GroundNode node = GroundNodeFit(GroundOptions{}).fit(returns.points());
   EXPECT_TRUE(node.isGround());
   EXPECT_NEAR(node.normal.x() / node.normal.z(), -0.1, 0.005);
   EXPECT_NEAR(node.heightOf(12.0f, 12.0f, -1.7f), 0.0, 0.01);
@@ -48,40 +48,41 @@ TEST(GroundNodeModel, SlopeLimitIsTheNormals) {
   for (const double degrees : {27.0, 33.0}) {
     const auto slope = static_cast<float>(std::tan(degrees * M_PI / 180.0));
     const NodeReturns returns = NodeReturns().plane(400, 0.0f, slope);
-    EXPECT_EQ(fitGroundNode(returns.points(), options).isGround(), degrees < 30.0);
+    EXPECT_EQ(GroundNodeFit(options).fit(returns.points()).isGround(), degrees < 30.0);
   }
 }
 
 TEST(GroundNodeModel, AWallIsNotGround) {
-  EXPECT_FALSE(fitGroundNode(NodeReturns().wall(300, 3.0f).points(), GroundOptions{}).isGround());
+  EXPECT_FALSE(
+      GroundNodeFit(GroundOptions{}).fit(NodeReturns().wall(300, 3.0f).points()).isGround());
 }
 
 TEST(GroundNodeModel, FewReturnsTellNothing) {
   const NodeReturns returns = NodeReturns().plane(9, 0.0f);
-  EXPECT_EQ(fitGroundNode(returns.points(), GroundOptions{}).type, NodeType::Unknown);
+  EXPECT_EQ(GroundNodeFit(GroundOptions{}).fit(returns.points()).type, NodeType::Unknown);
 }
 
 TEST(GroundNodeModel, ReflectionsUnderTheRoadAreSkipped) {
   const NodeReturns returns = NodeReturns().plane(300, -1.7f).plane(12, -3.2f, 0.0f, 0.2f);
-  EXPECT_NEAR(lowestLayer(returns.points(), GroundOptions{}), -1.7, 0.05);
-  EXPECT_NEAR(fitGroundNode(returns.points(), GroundOptions{}).mean.z(), -1.7, 0.02);
+  EXPECT_NEAR(GroundNodeFit(GroundOptions{}).lowestLayer(returns.points()), -1.7, 0.05);
+  EXPECT_NEAR(GroundNodeFit(GroundOptions{}).fit(returns.points()).mean.z(), -1.7, 0.02);
   GroundOptions trusting;
   trusting.minLayerShare = 0.0;
-  EXPECT_LT(lowestLayer(returns.points(), trusting), -3.0);
+  EXPECT_LT(GroundNodeFit(trusting).lowestLayer(returns.points()), -3.0);
 }
 
 TEST(GroundNodeModel, LittleGroundInFrontOfAWallIsNoReflection) {
   // A wall goes on from the ground without a gap.
   const NodeReturns returns = NodeReturns().plane(12, 0.0f).wall(600, 6.0f);
-  EXPECT_NEAR(lowestLayer(returns.points(), GroundOptions{}), 0.0, 0.03);
+  EXPECT_NEAR(GroundNodeFit(GroundOptions{}).lowestLayer(returns.points()), 0.0, 0.03);
 }
 
 TEST(GroundNodeModel, APickOfTheReturnsFitsTheSamePlane) {
   const NodeReturns returns = NodeReturns().plane(6000, -1.7f, 0.2f, 0.03f);
   GroundOptions all;
   all.maxFitPoints = 0;
-  const GroundNode exact = fitGroundNode(returns.points(), all);
-  const GroundNode picked = fitGroundNode(returns.points(), GroundOptions{});
+  const GroundNode exact = GroundNodeFit(all).fit(returns.points());
+  const GroundNode picked = GroundNodeFit(GroundOptions{}).fit(returns.points());
   EXPECT_GT(exact.normal.dot(picked.normal), 0.99999f);
   EXPECT_NEAR(exact.heightOf(12, 12, 0), picked.heightOf(12, 12, 0), 0.005f);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <toss/segmentation/ContactPoints.h>
+#include <toss/segmentation/GroundNodeFit.h>
 #include <toss/segmentation/GroundSegmentation.h>
 #include <toss/segmentation/TerrainFit.h>
 #include <toss/segmentation/TraversabilitySearch.h>
@@ -30,6 +31,7 @@ struct GroundSegmentation::Implementation {
         nodes(static_cast<std::size_t>(field.nodes())),
         fineNodes(static_cast<std::size_t>(fineField.nodes())),
         sorted(field, fineField, subdivision),
+        nodeFit(given),
         terrain(fineField) {}
 
   void fitNodes();
@@ -48,6 +50,7 @@ struct GroundSegmentation::Implementation {
   TriGridField field, fineField;
   std::vector<GroundNode> nodes, fineNodes;
   NodeSorting sorted;
+  GroundNodeFit nodeFit;
   TerrainFit terrain;
   ContactPoints contacts;
   VertexHeights heights, fineHeights;
@@ -58,7 +61,7 @@ struct GroundSegmentation::Implementation {
 
 void GroundSegmentation::Implementation::fitNodes() {
   for (int node = 0; node < field.nodes(); ++node) {
-    nodes[static_cast<std::size_t>(node)] = fitGroundNode(sorted.ofCoarse(node), options);
+    nodes[static_cast<std::size_t>(node)] = nodeFit.fit(sorted.ofCoarse(node));
   }
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <toss/segmentation/GroundOptions.h>
-
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
@@ -44,13 +42,5 @@ struct NodePoints {
 
   const NodePoint& operator[](std::size_t i) const { return begin[i]; }
 };
-
-/// Fits the ground plane of a node (region-wise ground plane fitting, spec section 2.2): a few
-/// rounds of fit and re-selection, started at the lowest layer of returns that is no reflection.
-GroundNode fitGroundNode(const NodePoints& points, const GroundOptions& options);
-
-/// Height [m] at which the fit starts: the mean of the lowest returns, above layers so thin that
-/// they are reflections from under the ground (spec section 2.8).
-float lowestLayer(const NodePoints& points, const GroundOptions& options);
 
 }  // namespace toss

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <toss/segmentation/GroundNodeModel.h>
+#include <toss/segmentation/GroundOptions.h>
 #include <toss/segmentation/TriGridField.h>
 
 #include <vector>
