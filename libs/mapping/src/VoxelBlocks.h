@@ -39,7 +39,8 @@ class VoxelBlocks {
   void makeRoom() {
     if ((used_ + kBatch) * 3 > slots_.size() * 2) grow(used_ + kBatch);
   }
-  /// Calls what add() asks first of a block into the cache. `hash`: of its key.
+  /// Calls what add() and subtract() ask first of a block into the cache; there are blocks. `hash`:
+  /// of its key.
   void prefetch(std::uint64_t hash) const { __builtin_prefetch(&slots_[hash >> hashShift_]); }
   static std::uint64_t hash(VoxelKey block) {
     const std::uint64_t mixed = (block ^ block >> 32) * 0x9e3779b97f4a7c15u;

@@ -101,9 +101,7 @@ void VoxelMap::add(const RunSpan& runs, const std::vector<bool>* without) {
 }
 
 void VoxelMap::subtract(const RunSpan& runs) {
-  for (const VoxelRun& run : runs)
-    subtract({run.key, static_cast<std::uint32_t>(run.count()), run.x(), run.y(), run.z(),
-              run.intensity()});
+  implementation_->tiles.subtract(runs);
 }
 
 void VoxelMap::subtract(const VoxelSum& sum) {

@@ -94,6 +94,21 @@ void VoxelTiles::add(const RunSpan& runs, const std::vector<bool>* without) {
   adding.finish();
 }
 
+void VoxelTiles::subtract(const RunSpan& runs) {
+  constexpr std::ptrdiff_t kTogether = 32;
+  for (const VoxelRun *run = runs.begin(), *end; run != runs.end(); run = end) {
+    const VoxelKey tile = cubeOf(run->key, tileBits_);
+    VoxelBlocks& blocks = blocksOf(tile);
+    const VoxelRun* const most = run + std::min(kTogether, runs.end() - run);
+    const bool holdsAny = blocks.size() > 0;
+    for (end = run; end != most && cubeOf(end->key, tileBits_) == tile; ++end)
+      if (holdsAny) blocks.prefetch(VoxelBlocks::hash(cubeOf(end->key, kBlockBits)));
+    for (; run != end; ++run)
+      blocks.subtract({run->key, static_cast<std::uint32_t>(run->count()), run->x(), run->y(),
+                       run->z(), run->intensity()});
+  }
+}
+
 void VoxelTiles::subtract(const VoxelSum& sum) {
   blocksOf(cubeOf(sum.key, tileBits_)).subtract(sum);
 }

@@ -20,7 +20,8 @@ class VoxelTiles {
 
   /// Adds runs, but those of the owners that `without` marks where it is given.
   void add(const RunSpan& runs, const std::vector<bool>* without);
-  /// Takes one sum back; std::logic_error where it was never added.
+  /// Takes runs, or one sum, back; std::logic_error where they were never added.
+  void subtract(const RunSpan& runs);
   void subtract(const VoxelSum& sum);
   /// Whether any voxel holds returns of the cube of 2^bits voxels a side in which `voxel` lies;
   /// `bits` is at most kBlockBits.

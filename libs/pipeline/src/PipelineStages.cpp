@@ -133,9 +133,12 @@ void Pipeline::Implementation::commitComplete(bool all) {
   clock.lap("mapping");
 }
 
-void Pipeline::Implementation::decide(ScanRecord& record) {
+void Pipeline::Implementation::decideOwners(ScanRecord& record) {
   record.moving = judge.final(record, true);
   updateLedgers(record, record.moving, *shared->map);
+}
+
+void Pipeline::Implementation::decideResidue(ScanRecord& record) {
   releaseResidue(record.moving, *shared->map, record);
   settleLedgers(record, *shared->map);
   ++decided;
@@ -167,7 +170,8 @@ void Pipeline::Implementation::settleDue() {
   const double horizon = options.voting.horizon;
   while (horizon > 0.0 && committed > 0 && records.back().time - records.front().time > horizon) {
     setFinalClasses(records.front(), true);
-    decide(records.front());
+    decideOwners(records.front());
+    decideResidue(records.front());
     settled.emplace_back();
     settleFirst(settled.back());
   }
@@ -177,9 +181,8 @@ void Pipeline::Implementation::settleDue() {
 void Pipeline::Implementation::decideAll() {
   for (const ScanRecord& record : records) setFinalClasses(record, true);
   // Residue of the first asks for what the last leaves in the map.
-  for (const ScanRecord& record : records)
-    updateLedgers(record, judge.final(record, true), *shared->map);
-  for (ScanRecord& record : records) decide(record);
+  for (ScanRecord& record : records) decideOwners(record);
+  for (ScanRecord& record : records) decideResidue(record);
 }
 
 }  // namespace toss

@@ -51,8 +51,10 @@ struct Pipeline::Implementation {
   void updateMap() const;
   void takeEvidence(const EvidenceCells& cells, ScanRecord& record);
   void setFinalClasses(const ScanRecord& record, bool last);
-  /// What a scan leaves in the map, and says of its residue, when its owners' fate is known.
-  void decide(ScanRecord& record);
+  /// Says for good what of a scan moves, and what of it is in the map; then, when the map is as far
+  /// as it can be, what its residue is.
+  void decideOwners(ScanRecord& record);
+  void decideResidue(ScanRecord& record);
   void forgetOld();
 
   PipelineOptions options;
