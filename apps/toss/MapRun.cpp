@@ -107,18 +107,19 @@ class MapRunner {
   }
 
   void settleRest() {
-    tbb::parallel_pipeline(
-        kScansInFlight,
-        tbb::make_filter<void, Item>(tbb::filter_mode::serial_in_order,
-                                     [&](tbb::flow_control& flow) {
-                                       const Item item = spareOrNew();
-                                       item->ofScan = false;
-                                       item->settled.resize(1);
-                                       if (!pipeline_.settleNext(item->settled.front().labels))
-                                         flow.stop();
-                                       return item;
-                                     }) &
-            writing());
+    const auto inOrder = tbb::filter_mode::serial_in_order;
+    tbb::parallel_pipeline(kScansInFlight,
+                           tbb::make_filter<void, Item>(inOrder, [&](tbb::flow_control& flow) {
+                             return settleNext(flow);
+                           }) & writing());
+  }
+
+  Item settleNext(tbb::flow_control& flow) {
+    const Item item = spareOrNew();
+    item->ofScan = false;
+    item->settled.resize(1);
+    if (!pipeline_.settleNext(item->settled.front().labels)) flow.stop();
+    return item;
   }
 
   /// Memory fresh from the system costs more than what is written into it.
