@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <toss/geometry/Error.h>
+#include <toss/geometry/MarkedWords.h>
+#include <toss/geometry/ProcessorVariants.h>
 #include <toss/segmentation/RowAssignment.h>
 
 #include <algorithm>
@@ -21,6 +23,23 @@ constexpr std::size_t kMinSamples = 20;
 constexpr int kMissingRings = 2;
 /// A ring with less than this part of the average ring's returns is none.
 constexpr std::size_t kShortRing = 20;
+
+/// Azimuth from 0 to a whole turn.
+float turned(float azimuth) {
+  return azimuth < 0.0f ? azimuth + 2.0f * kPi : azimuth;
+}
+
+/// Marks returns that are not valid, and those where the azimuth wraps from the return before. The
+/// compiler vectorises it only as a function of arrays that are known not to overlap.
+TOSS_ALSO_FOR_AVX2
+void markWraps(const float* __restrict azimuth, const std::uint8_t* __restrict valid, std::size_t n,
+               std::uint8_t* __restrict mark) {
+  mark[0] = 1;
+  for (std::size_t i = 1; i < n; ++i) {
+    const bool wraps = turned(azimuth[i - 1]) - turned(azimuth[i]) > kPi;
+    mark[i] = static_cast<std::uint8_t>((valid[i] == 0) | (valid[i - 1] == 0) | wraps);
+  }
+}
 
 float median(std::vector<float>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -104,16 +123,30 @@ bool RowAssignment::fromOrder(const Directions& directions, std::vector<std::uin
   return true;
 }
 
-int RowAssignment::findRings(const Directions& directions) {
+/// Returns at which a turn begins. Only a few of them need a closer look.
+void RowAssignment::findWraps(const Directions& directions) {
+  const std::size_t n = directions.valid.size();
   ringBegin_.clear();
+  if (n == 0) return;
+  mark_.assign((n + kMarksInWord - 1) / kMarksInWord * kMarksInWord, 0);
+  markWraps(directions.azimuth.data(), directions.valid.data(), n, mark_.data());
   float previous = std::numeric_limits<float>::infinity();
-  for (std::size_t i = 0; i < directions.valid.size(); ++i) {
-    if (directions.valid[i] == 0) continue;
-    const float azimuth = directions.azimuth[i];
-    const float turned = azimuth < 0.0f ? azimuth + 2.0f * kPi : azimuth;
-    if (previous - turned > kPi) ringBegin_.push_back(i);
-    previous = turned;
-  }
+  std::size_t next = 0;
+  visitMarkedWords(mark_.data(), mark_.size(), [&](std::size_t first) {
+    // Between the words all returns are valid, and none wraps.
+    if (first > next) previous = turned(directions.azimuth[first - 1]);
+    next = std::min(first + kMarksInWord, n);
+    for (std::size_t i = first; i < next; ++i) {
+      if (directions.valid[i] == 0) continue;
+      const float own = turned(directions.azimuth[i]);
+      if (previous - own > kPi) ringBegin_.push_back(i);
+      previous = own;
+    }
+  });
+}
+
+int RowAssignment::findRings(const Directions& directions) {
+  findWraps(directions);
   if (ringBegin_.empty()) return 0;
   ringBegin_.front() = 0;
   ringBegin_.push_back(directions.valid.size());

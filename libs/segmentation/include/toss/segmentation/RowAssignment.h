@@ -39,6 +39,7 @@ class RowAssignment {
 
  private:
   bool fromOrder(const Directions& directions, std::vector<std::uint16_t>& row);
+  void findWraps(const Directions& directions);
   int findRings(const Directions& directions);
   int shiftToTable() const;
   void fromElevation(const Directions& directions, std::vector<std::uint16_t>& row) const;
@@ -55,6 +56,8 @@ class RowAssignment {
   float topSlope_ = 0.0f, cellsPerSlope_ = 0.0f;
   /// First return of each ring of a scan in ring order, and the number of returns.
   std::vector<std::size_t> ringBegin_;
+  /// Returns at which a ring may begin, shape [n], in whole words.
+  std::vector<std::uint8_t> mark_;
   std::vector<std::vector<float>> samples_;
   /// Median slope of the returns of each row, NaN where there are too few.
   std::vector<float> medians_;
