@@ -23,8 +23,8 @@ trap 'rm -rf "$work"' EXIT
 toss=build/apps/toss/toss
 "$toss" --quiet simulate "$scene" "$work/log.rawlog" --frames "$scans" --seed 1
 valgrind --tool=callgrind --callgrind-out-file="$work/counts" --log-file="$work/valgrind.log" \
-  --toggle-collect='toss::Pipeline::process(*' --toggle-collect='toss::Pipeline::finish(*' \
-  --toggle-collect='toss::Segmenter::segment(*' \
+  --toggle-collect='toss::Pipeline::process(*' --toggle-collect='toss::Pipeline::decideRest(*' \
+  --toggle-collect='toss::Pipeline::settleNext(*' --toggle-collect='toss::Segmenter::segment(*' \
   "$toss" --quiet map "$work/log.rawlog" --out "$work/run" --threads 1 --no-snapshots ||
   { cat "$work/valgrind.log" >&2; exit 2; }
 callgrind_annotate --inclusive=yes --threshold=100 "$work/counts" >"$work/functions"
@@ -53,7 +53,7 @@ stages() {
   echo "voting $(count "$inside::vote")"
   echo "labels $(count "$inside::labelLive")"
   echo "mapping $(count "$inside::commitComplete")"
-  echo "settling $(count "$inside::settle")"
+  echo "settling $(count "$inside::settleFirst")"
 }
 
 stages >"$work/stages"
