@@ -142,6 +142,15 @@ TEST(TrackerMotion, TracesOfGroundAreNoMovers) {
   EXPECT_EQ(scene.motionOf(kFirst), MotionClass::Static);
 }
 
+TEST(TrackerMotion, AHeadAboveAHedgeMovesDoubtfully) {
+  TrackedScene scene;
+  scene.add([](double t) { return standingBox(1.0 * t, 0.0, 0.2, 0.15, 0.2); });
+  scene.add([](double t) { return standingBox(1.0 * t, 20.0, 0.2, 0.15, 0.4); });
+  scene.run(4.0);
+  EXPECT_EQ(scene.motionOf(0), MotionClass::Doubtful);
+  EXPECT_TRUE(isDynamic(scene.motionOf(1)));
+}
+
 TEST(TrackerMotion, WhatWandersBehindAnOpeningIsNoMover) {
   Tracker open(TrackingOptions{}), hidden(TrackingOptions{});
   for (int scan = 0; scan < 40; ++scan) {

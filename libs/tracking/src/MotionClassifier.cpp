@@ -9,9 +9,18 @@ namespace {
 /// Range noise of a spinning LiDAR [m]: faces scatter by that much even where none is seen.
 constexpr double kRangeNoise = 0.02;
 
+/// Of the least height and extent, what a doubtful motion needs: the head behind a hedge, the few
+/// returns of somebody far away.
+constexpr double kDoubtfulSize = 0.5;
+
 /// Auto-MOS: more than five detections, and further than the longest edge of any box of the trace.
 bool movesByAutoMos(const MotionEvidence& evidence) {
   return evidence.hits() > 5 && evidence.displacement3d() > evidence.longestEdge();
+}
+
+bool reachesSize(const MotionEvidence& evidence, const MotionOptions& options, double share) {
+  return evidence.medianHeight() >= share * options.minHeight &&
+         evidence.medianExtent() >= share * options.minExtent;
 }
 
 /// Cheap necessary condition of test a, which spares most static traces the fit.
@@ -39,8 +48,7 @@ class MotionTests {
     const std::vector<TimedBox>& boxes = evidence.recent();
     if (static_cast<int>(boxes.size()) < options.minHits ||
         boxes.back().time - boxes.front().time < options.minAge ||
-        evidence.medianHeight() < options.minHeight ||
-        evidence.medianExtent() < options.minExtent) {
+        !reachesSize(evidence, options, kDoubtfulSize)) {
       return false;
     }
     const double extent = options.extentFactor * evidence.medianExtent();
@@ -61,6 +69,10 @@ bool isHidden(const MotionEvidence& evidence, const MotionOptions& options) {
   return options.rule == MotionRule::Tests && evidence.recentHidden() > options.maxHidden;
 }
 
+bool isSmall(const MotionEvidence& evidence, const MotionOptions& options) {
+  return options.rule == MotionRule::Tests && !reachesSize(evidence, options, 1.0);
+}
+
 bool isStrong(const MotionEvidence& evidence, const MotionOptions& options,
               const MotionTests& tests) {
   return evidence.hits() >= options.strongHits &&
@@ -74,7 +86,8 @@ bool isStrong(const MotionEvidence& evidence, const MotionOptions& options,
 MotionClass classifyMotion(const MotionEvidence& evidence, const MotionOptions& options) {
   const MotionTests tests(evidence, options);
   if (!tests.moves(options.doubtfulJitterFactor)) return MotionClass::Static;
-  if (isHidden(evidence, options) || !tests.moves(options.jitterFactor))
+  if (isHidden(evidence, options) || isSmall(evidence, options) ||
+      !tests.moves(options.jitterFactor))
     return MotionClass::Doubtful;
   return isStrong(evidence, options, tests) ? MotionClass::Strong : MotionClass::Weak;
 }

@@ -18,11 +18,14 @@ void visitTests(MotionOptions& options, OptionVisitor& visitor) {
   visitor.real({"min_age", "s", "time span of the detections before a trace can be dynamic",
                 "spec section 6"},
                options.minAge, 0.0, 1000.0);
-  visitor.real({"min_height", "m", "least median height; larger rejects more ground and kerbs",
+  visitor.real({"min_height", "m",
+                "least median height, half of it for a doubtful motion; larger rejects more ground "
+                "and kerbs",
                 "measured on real scans"},
                options.minHeight, 0.0, 100.0);
   visitor.real({"min_extent", "m",
-                "least median longer edge; larger rejects more walls seen at grazing angles",
+                "least median longer edge, half of it for a doubtful motion; larger rejects more "
+                "walls seen at grazing angles",
                 "measured on simulated scans"},
                options.minExtent, 0.0, 100.0);
   visitor.real({"extent_factor", "", "displacement demanded, in longer edges of the box",

@@ -24,6 +24,7 @@ struct MotionOptions : Options {
   double minAge = 0.4;
   /// Least median height and longer edge [m]: traces of ground and kerbs move along with the
   /// sensor's rings, those of single columns of a wall seen at a grazing angle with its columns.
+  /// From half of them on, motion is doubtful: the head of somebody behind a hedge.
   double minHeight = 0.3, minExtent = 0.2;
   /// Test a: the displacement exceeds extentFactor times the median longer edge, clamped to
   /// [minExcursion, maxExcursion] [m].
@@ -31,7 +32,7 @@ struct MotionOptions : Options {
   /// Test b: the displacement exceeds this many times the scatter of the faces about their lines.
   double jitterFactor = 10.0;
   /// The same for a doubtful motion, which needs free space to confirm it.
-  double doubtfulJitterFactor = 5.0;
+  double doubtfulJitterFactor = 3.0;
   /// Test c: displacement over length of the path.
   double minPathEfficiency = 0.4;
   /// Test d: both faces have moved by faceShare times the displacement demanded by test a, and the
