@@ -170,6 +170,21 @@ TEST(TrackerMotion, SingleColumnsOfAWallAreNoMovers) {
   EXPECT_EQ(scene.motionOf(kFirst), MotionClass::Static);
 }
 
+TEST(TrackerMotion, NarrowSlicesOfAWallBehindAnOpeningAreNoMovers) {
+  Tracker slice(TrackingOptions{}), person(TrackingOptions{});
+  const auto hidden = [](const Box& box) {
+    Detection detection = detectionOf(box);
+    detection.occludedLeft = detection.occludedRight = 0.8f;
+    return detection;
+  };
+  for (int scan = 0; scan < 40; ++scan) {
+    slice.update(0.1 * scan, {hidden(standingBox(0.1 * scan, 0.0, 0.4, 0.1, 3.0))});
+    person.update(0.1 * scan, {hidden(standingBox(0.1 * scan, 0.0, 0.4, 0.4, 1.7))});
+  }
+  EXPECT_EQ(slice.tracks().front().motion, MotionClass::Static);
+  EXPECT_EQ(person.tracks().front().motion, MotionClass::Doubtful);
+}
+
 TEST(TrackerMotion, AutoMosRuleAsksForTheLongestEdge) {
   MotionOptions options;
   options.rule = MotionRule::AutoMos;

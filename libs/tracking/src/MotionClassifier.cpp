@@ -13,6 +13,10 @@ constexpr double kRangeNoise = 0.02;
 /// returns of somebody far away.
 constexpr double kDoubtfulSize = 0.5;
 
+/// Extent over height below which a doubtful motion is none: of a wall between poles or windows one
+/// sees columns that slide along it; people and what is left of them over a hedge are broader.
+constexpr double kSlenderest = 0.2;
+
 /// Auto-MOS: more than five detections, and further than the longest edge of any box of the trace.
 bool movesByAutoMos(const MotionEvidence& evidence) {
   return evidence.hits() > 5 && evidence.displacement3d() > evidence.longestEdge();
@@ -73,6 +77,10 @@ bool isSmall(const MotionEvidence& evidence, const MotionOptions& options) {
   return options.rule == MotionRule::Tests && !reachesSize(evidence, options, 1.0);
 }
 
+bool isColumn(const MotionEvidence& evidence) {
+  return evidence.medianExtent() < kSlenderest * evidence.medianHeight();
+}
+
 bool isStrong(const MotionEvidence& evidence, const MotionOptions& options,
               const MotionTests& tests) {
   return evidence.hits() >= options.strongHits &&
@@ -88,7 +96,7 @@ MotionClass classifyMotion(const MotionEvidence& evidence, const MotionOptions& 
   if (!tests.moves(options.doubtfulJitterFactor)) return MotionClass::Static;
   if (isHidden(evidence, options) || isSmall(evidence, options) ||
       !tests.moves(options.jitterFactor))
-    return MotionClass::Doubtful;
+    return isColumn(evidence) ? MotionClass::Static : MotionClass::Doubtful;
   return isStrong(evidence, options, tests) ? MotionClass::Strong : MotionClass::Weak;
 }
 
