@@ -25,8 +25,8 @@ TEST(FusedDecision, WhatIsMeasuredAgainStaysHoweverItsTraceMoved) {
 
 TEST(FusedDecision, DoubtfulMotionNeedsGlimpsesPastIt) {
   EXPECT_EQ(MotionClass::Static, fuse(MotionClass::Doubtful, evidence(10, 0, 1, 0)));
-  EXPECT_EQ(MotionClass::Static, fuse(MotionClass::Doubtful, evidence(10, 0, 1, 4)));
-  EXPECT_EQ(MotionClass::Strong, fuse(MotionClass::Doubtful, evidence(10, 0, 1, 6)));
+  EXPECT_EQ(MotionClass::Static, fuse(MotionClass::Doubtful, evidence(10, 0, 1, 2)));
+  EXPECT_EQ(MotionClass::Strong, fuse(MotionClass::Doubtful, evidence(10, 0, 1, 4)));
 }
 
 TEST(FusedDecision, GlimpsesAloneMoveNothing) {
