@@ -48,7 +48,7 @@ class VirtualDisplay {
  public:
   explicit VirtualDisplay(const fs::path& folder)
       : folder_(folder),
-        number_(std::to_string(100 + ::getpid() % 30000)),
+        number_(std::to_string(nextNumber())),
         server_((fs::create_directories(folder),
                  "Xvfb :" + number_ + " -screen 0 1400x900x24 -fbdir '" + folder.string() + "'")) {
     for (int attempt = 0; attempt < 600 && !fs::exists("/tmp/.X11-unix/X" + number_); ++attempt)
@@ -75,6 +75,12 @@ class VirtualDisplay {
   }
 
  private:
+  /// Another one for each display of a program: the socket of the one before may still be there
+  /// while its server ends.
+  static int nextNumber() {
+    static int displays = 0;
+    return 100 + 2 * (::getpid() % 15000) + displays++ % 2;
+  }
   static void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(100)); }
   static std::size_t numberAt(const std::string& bytes, std::size_t index) {
     std::size_t value = 0;
