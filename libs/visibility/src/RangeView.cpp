@@ -79,12 +79,13 @@ void RangeView::look(const RangeImage& image, const PointCloud& points,
 void RangeView::fillRowTable(const std::vector<float>& elevations) {
   rowOfSine_.assign(kSineSteps, static_cast<std::int16_t>(rows_));
   for (int r = 0; r < rows_; ++r) {
-    // A row reaches half-way to its neighbours, the outermost as far beyond as inwards.
+    // A row reaches half-way to its neighbours, the lowest as far beyond. Over the uppermost no ray
+    // passes, so that a ceiling there would look free to those below it.
     const auto at = [&](int index) { return elevations[static_cast<std::size_t>(index)]; };
-    const float gapAbove = r > 0 ? at(r - 1) - at(r) : (rows_ > 1 ? at(0) - at(1) : 0.0f);
+    const float gapAbove = r > 0 ? at(r - 1) - at(r) : 0.0f;
     const float gapBelow = r + 1 < rows_ ? at(r) - at(r + 1) : gapAbove;
     const std::size_t low = sineStepOfElevation(at(r) - 0.5f * gapBelow);
-    const std::size_t high = sineStepOfElevation(at(r) + 0.5f * (r > 0 ? gapAbove : gapBelow));
+    const std::size_t high = sineStepOfElevation(at(r) + 0.5f * gapAbove);
     for (std::size_t step = low; step <= high; ++step)
       rowOfSine_[step] = static_cast<std::int16_t>(r);
   }
@@ -151,6 +152,9 @@ void RangeView::fillPixels(Scratch& scratch) {
     for (std::size_t c = 0; c < width; ++c)
       if (out[c].nearest < occluderShare_ * out[c].farthest)
         out[c].behind = shortestBehind(ranges, c, width, out[c].nearest / occluderShare_);
+    // Past a surface seen at a grazing angle all rays go but those under it.
+    for (std::size_t c = 0; c < width; ++c)
+      if (n2[c] == kEmpty) out[c].behind = 0.0f;
   }
 }
 
@@ -188,7 +192,8 @@ void RangeView::testify(const float* x, const float* y, const float* z, std::siz
     for (std::size_t i = 0; i < size; ++i) {
       const float range = block.range[i], nearest = seen[i].nearest;
       const float past = range + freeMargin_ + freeMarginShare_ * range;
-      const float first = nearest < occluderShare_ * range ? seen[i].behind : nearest;
+      const float unhidden = nearest < occluderShare_ * range ? kEmpty : nearest;
+      const float first = std::min(unhidden, seen[i].behind);
       const bool free = first > past && first < kEmpty;
       const bool hit =
           std::fabs(nearest - range) < hitMargin_ || std::fabs(seen[i].range - range) < hitMargin_;

@@ -36,9 +36,9 @@ class RangeView {
 
   /// Asks about points given in the level frame of a scan taken at `position` [m, map frame]:
   /// x, y, z [m], shape [count]. Adds 1 to freeViews[i] where the view sees past point i in the
-  /// whole neighbourhood of its pixel but for what stands far in front of it, to hitViews[i] where
-  /// it measures the point itself, and to glimpseViews[i] where it sees past it somewhere in the
-  /// neighbourhood and does not measure it.
+  /// whole neighbourhood of its pixel but for what stands far in front of it, and has returns below
+  /// it, to hitViews[i] where it measures the point itself, and to glimpseViews[i] where it sees
+  /// past it somewhere in the neighbourhood and does not measure it.
   void testify(const float* x, const float* y, const float* z, std::size_t count,
                const Eigen::Vector3d& position, std::uint8_t* freeViews, std::uint8_t* hitViews,
                std::uint8_t* glimpseViews) const;
@@ -46,8 +46,8 @@ class RangeView {
  private:
   /// Shortest range of a pixel and of its 3 x 3 neighbourhood [m], infinite where empty, the
   /// longest of the neighbourhood's, 0 where empty, and the shortest of it behind what occludes the
-  /// rest (a window's frame, a trunk), infinite where nothing does: side by side, since they are
-  /// asked for together.
+  /// rest (a window's frame, a trunk), infinite where nothing does, 0 where the row below is empty:
+  /// side by side, since they are asked for together.
   struct Pixel {
     float range, nearest, farthest, behind;
   };
