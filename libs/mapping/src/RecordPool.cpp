@@ -12,9 +12,12 @@ VoxelRecord* RecordPool::take(std::uint32_t size) {
     std::memcpy(&free_[sizeClass], kept, sizeof kept);
     return kept;
   }
-  const std::size_t count = detail::kPoolCapacities[sizeClass];
+  const std::size_t capacity = detail::kPoolCapacities[sizeClass],
+                    count = std::max(capacity, kInLine);
   if (restCount_ < count) newPage();
   VoxelRecord* const records = rest_;
+  // What is left of a line stays for others of the size: no array lies across more than it must.
+  if (capacity < count) keep(rest_ + capacity, sizeClass);
   rest_ += count;
   restCount_ -= count;
   return records;
@@ -27,17 +30,18 @@ void RecordPool::keep(VoxelRecord* records, std::size_t sizeClass) {
 
 void RecordPool::newPage() {
   // A tile of few voxels takes little, and one of many does not ask often.
-  constexpr std::size_t kFirst = 128, kLargest = 4096;
+  constexpr std::size_t kFirst = 32, kLargest = 1024;
   for (std::size_t sizeClass = detail::kPoolCapacities.size() - 1; sizeClass > 0; --sizeClass)
     for (const std::size_t count = detail::kPoolCapacities[sizeClass]; restCount_ >= count;) {
       keep(rest_, sizeClass);
       rest_ += count;
       restCount_ -= count;
     }
-  restCount_ = std::clamp(bytes_ / sizeof(VoxelRecord) / 4, kFirst, kLargest);
-  pages_.emplace_back(new VoxelRecord[restCount_]);
-  rest_ = pages_.back().get();
-  bytes_ += restCount_ * sizeof(VoxelRecord);
+  const std::size_t lines = std::clamp(bytes_ / sizeof(Line) / 4, kFirst, kLargest);
+  pages_.emplace_back(new Line[lines]);
+  rest_ = pages_.back()[0].records.data();
+  restCount_ = lines * kInLine;
+  bytes_ += lines * sizeof(Line);
 }
 
 }  // namespace toss

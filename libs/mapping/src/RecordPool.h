@@ -50,7 +50,12 @@ class RecordPool {
 
   /// The first of the arrays that were given back, which name the next in their first bytes.
   std::array<VoxelRecord*, detail::kPoolCapacities.size()> free_{};
-  std::vector<std::unique_ptr<VoxelRecord[]>> pages_;
+  /// Records in a line of the cache.
+  static constexpr std::size_t kInLine = 64 / sizeof(VoxelRecord);
+  struct alignas(64) Line {
+    std::array<VoxelRecord, kInLine> records;
+  };
+  std::vector<std::unique_ptr<Line[]>> pages_;
   /// What is left of the last page.
   VoxelRecord* rest_ = nullptr;
   std::size_t restCount_ = 0, bytes_ = 0;

@@ -9,17 +9,6 @@ namespace toss {
 
 namespace {
 
-std::uint64_t bitOf(VoxelKey key) {
-  return std::uint64_t{1} << placeInBlock(key);
-}
-
-std::uint32_t countBits(std::uint64_t v) {
-  return static_cast<std::uint32_t>(__builtin_popcountll(v));
-}
-
-/// Of the cache.
-constexpr std::uint32_t kRecordsInLine = 64 / sizeof(VoxelRecord);
-
 [[noreturn]] void throwNeverAdded() {
   throw std::logic_error("VoxelMap: subtracts what was never added");
 }
@@ -34,32 +23,6 @@ bool VoxelBlocks::holds(VoxelKey voxel, int bits) const {
   const std::uint64_t voxels = slots_[findSlot(block, hash(block))].mask;
   return (voxels >> placeInBlock(cubeOf(voxel, bits)) & kCubes[static_cast<std::size_t>(bits)]) !=
          0;
-}
-
-TOSS_ALSO_FOR_AVX2
-void VoxelBlocks::add(Addition* first, Addition* last) {
-  for (Addition* addition = first; addition != last; ++addition) {
-    addition->block = &addition->blocks->findOrMake(addition->key, addition->hash);
-    const Block block = *addition->block;
-    for (const VoxelRun* run = addition->first; run != addition->last; ++run)
-      __builtin_prefetch(block.records + countBits(block.mask & (bitOf(run->key) - 1)), 1);
-    // New records may move all the others.
-    if ((addition->voxels & ~block.mask) != 0)
-      for (std::uint32_t i = 0; i < countBits(block.mask) + kRecordsInLine; i += kRecordsInLine)
-        __builtin_prefetch(block.records + i, 1);
-  }
-  for (const Addition* addition = first; addition != last; ++addition) {
-    if (const std::uint64_t added = addition->voxels & ~addition->block->mask)
-      addition->blocks->insert(*addition->block, added);
-    const Block block = *addition->block;
-    for (const VoxelRun* run = addition->first; run != addition->last; ++run) {
-      VoxelRecord& record = block.records[countBits(block.mask & (bitOf(run->key) - 1))];
-      if (record.takes(*run))
-        record.add(*run);
-      else
-        addition->blocks->addLarge(record, *run);
-    }
-  }
 }
 
 void VoxelBlocks::addLarge(VoxelRecord& record, const VoxelRun& run) {

@@ -21,33 +21,23 @@ class VoxelBlocks {
     std::uint64_t mask = 0;
     VoxelRecord* records = nullptr;
   };
-  /// Runs in a row that go to one block.
-  struct Addition {
-    VoxelBlocks* blocks;
-    VoxelKey key;
-    std::uint64_t hash;
-    const VoxelRun *first, *last;
-    /// Their voxels, by place in the block.
-    std::uint64_t voxels;
-    /// Set by add().
-    Block* block;
-  };
-  /// Additions that are made together, so that the memory answers many questions at a time.
+  /// Runs that are added together.
   static constexpr std::size_t kBatch = 64;
 
-  /// Makes room for kBatch blocks: add() can come without it moving the others.
-  void makeRoom() {
-    if ((used_ + kBatch) * 3 > slots_.size() * 2) grow(used_ + kBatch);
-  }
   /// Calls what add() and subtract() ask first of a block into the cache; there are blocks. `hash`:
   /// of its key.
-  void prefetch(std::uint64_t hash) const { __builtin_prefetch(&slots_[hash >> hashShift_]); }
+  void prefetch(std::uint64_t hash) const {
+    const Block* const slot = &slots_[hash >> hashShift_];
+    __builtin_prefetch(slot);
+    // It may lie across two lines of the cache.
+    __builtin_prefetch(&slot->records);
+  }
   static std::uint64_t hash(VoxelKey block) {
     const std::uint64_t mixed = (block ^ block >> 32) * 0x9e3779b97f4a7c15u;
     return (mixed ^ mixed >> 32) * 0x9e3779b97f4a7c15u;
   }
-  /// Adds [first, last), at most kBatch, for which there is room.
-  static void add(Addition* first, Addition* last);
+  /// Adds [first, last), at most kBatch.
+  void add(const VoxelRun* first, const VoxelRun* last);
   /// Takes one sum back; std::logic_error where it was never added.
   void subtract(const VoxelSum& sum);
 
@@ -77,6 +67,12 @@ class VoxelBlocks {
  private:
   static constexpr VoxelKey kNone = ~VoxelKey{0};
 
+  struct Batch;
+
+  static std::uint64_t bitOf(VoxelKey key) { return std::uint64_t{1} << placeInBlock(key); }
+  static std::uint32_t countBits(std::uint64_t v) {
+    return static_cast<std::uint32_t>(__builtin_popcountll(v));
+  }
   static std::uint64_t lowestPlace(std::uint64_t voxels) {
     return static_cast<std::uint64_t>(__builtin_ctzll(voxels));
   }
@@ -103,6 +99,14 @@ class VoxelBlocks {
     VoxelSum sum = large_[record.place()];
     sum.key = key;
     return sum;
+  }
+  /// The steps of add().
+  void findStretches(Batch& batch) const;
+  void findBlocks(Batch& batch);
+  void makeRecords(Batch& batch);
+  /// Makes room for the blocks of a batch: it comes without the others moving.
+  void makeRoom() {
+    if ((used_ + kBatch) * 3 > slots_.size() * 2) grow(used_ + kBatch);
   }
   /// Adds a run that a record can not count itself.
   void addLarge(VoxelRecord& record, const VoxelRun& run);

@@ -41,57 +41,23 @@ VoxelBlocks& VoxelTiles::blocksOf(VoxelKey firstOfTile) {
   return *tile.blocks;
 }
 
-class VoxelTiles::Adding {
- public:
-  explicit Adding(VoxelTiles& tiles) : tiles_(tiles) {}
-
-  void add(const VoxelRun* run, const VoxelRun* end) {
-    while (run != end) {
-      const VoxelKey block = cubeOf(run->key, kBlockBits);
-      if (cubeOf(block, tiles_.tileBits_) != tile_) enterTile(block);
-      const std::uint64_t hash = VoxelBlocks::hash(block);
-      blocks_->prefetch(hash);
-      const VoxelRun* const first = run;
-      std::uint64_t voxels = 0;
-      for (; run != end && cubeOf(run->key, kBlockBits) == block; ++run)
-        voxels |= std::uint64_t{1} << placeInBlock(run->key);
-      batch_[count_++] = {blocks_, block, hash, first, run, voxels, nullptr};
-      if (count_ == batch_.size()) finish();
-    }
-  }
-  void finish() {
-    VoxelBlocks::add(batch_.data(), batch_.data() + count_);
-    count_ = 0;
-    tile_ = kNone;
-  }
-
- private:
-  static constexpr VoxelKey kNone = ~VoxelKey{0};
-
-  void enterTile(VoxelKey block) {
-    tile_ = cubeOf(block, tiles_.tileBits_);
-    blocks_ = &tiles_.blocksOf(tile_);
-    blocks_->makeRoom();
-  }
-
-  VoxelTiles& tiles_;
-  std::array<VoxelBlocks::Addition, VoxelBlocks::kBatch> batch_;
-  std::size_t count_ = 0;
-  /// Of the run before; there is room in its blocks for the rest of the batch.
-  VoxelKey tile_ = kNone;
-  VoxelBlocks* blocks_ = nullptr;
-};
-
 void VoxelTiles::add(const RunSpan& runs, const std::vector<bool>* without) {
-  Adding adding(*this);
-  const VoxelRun* run = runs.begin();
-  while (run != runs.end()) {
-    const VoxelRun* const first = run;
-    const std::size_t owner = run->owner();
-    while (run != runs.end() && (!without || run->owner() == owner)) ++run;
-    if (!without || !(*without)[owner]) adding.add(first, run);
+  const auto isLeftOut = [&](const VoxelRun& run) { return without && (*without)[run.owner()]; };
+  for (const VoxelRun *run = runs.begin(), *end; run != runs.end(); run = end) {
+    for (end = run; end != runs.end() && !isLeftOut(*end);) ++end;
+    addAll({run, end});
+    while (end != runs.end() && isLeftOut(*end)) ++end;
   }
-  adding.finish();
+}
+
+void VoxelTiles::addAll(const RunSpan& runs) {
+  constexpr std::ptrdiff_t kMost = VoxelBlocks::kBatch;
+  for (const VoxelRun *run = runs.begin(), *end; run != runs.end(); run = end) {
+    const VoxelKey tile = cubeOf(run->key, tileBits_);
+    const VoxelRun* const most = run + std::min(kMost, runs.end() - run);
+    for (end = run; end != most && cubeOf(end->key, tileBits_) == tile;) ++end;
+    blocksOf(tile).add(run, end);
+  }
 }
 
 void VoxelTiles::subtract(const RunSpan& runs) {

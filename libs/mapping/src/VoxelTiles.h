@@ -59,8 +59,7 @@ class VoxelTiles {
     /// Call of leaveBehind() before which it was needed last.
     std::uint64_t needed = 0;
   };
-  /// Adds runs as they are given, many together.
-  class Adding;
+  void addAll(const RunSpan& runs);
   VoxelBlocks& blocksOf(VoxelKey firstOfTile);
   /// Where a tile stands in the map; order of tiles is order of voxels.
   std::uint64_t placeOf(VoxelKey tile) const { return placeInMap(tile) >> placeShift_; }
