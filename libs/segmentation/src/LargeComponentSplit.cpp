@@ -19,11 +19,6 @@ bool anyTwoApart(const std::vector<std::int32_t>& parts, const std::vector<Compo
   return false;
 }
 
-void fillNodes(const RowRuns& runs, std::size_t run, std::int32_t component,
-               std::vector<std::int32_t>& ofNode) {
-  std::fill(ofNode.begin() + runs.begin[run], ofNode.begin() + runs.end[run], component);
-}
-
 }  // namespace
 
 void LargeComponentSplit::split(const ObjectNodes& nodes, const LinkRules& rules,
@@ -39,15 +34,13 @@ void LargeComponentSplit::split(const ObjectNodes& nodes, const LinkRules& rules
     parts = parts_.components().size();
   }
   number_.assign(count + parts, -1);
-  result.ofNode.resize(nodes.size());
-  result.measures.clear();
+  result.pieces.clear(), result.measures.clear();
   // Both lists of runs are in the order of the nodes, and the parts' runs divide those selected.
   std::size_t part = 0;
   for (std::size_t run = 0; run < wholes.runs().size(); ++run) {
     const std::int32_t whole = wholes.componentOfRun()[run];
     if (!verdicts_[at(whole)].split) {
-      fillNodes(wholes.runs(), run, number(whole, wholes.runs().measures[run], result),
-                result.ofNode);
+      addPiece(wholes.runs(), run, whole, result);
     }
     if (selected_[run] == 0) continue;
     for (; part < parts_.runs().size() && parts_.runs().begin[part] < wholes.runs().end[run];
@@ -55,22 +48,20 @@ void LargeComponentSplit::split(const ObjectNodes& nodes, const LinkRules& rules
       if (!verdicts_[at(whole)].split) continue;
       const std::int32_t target = target_[at(parts_.componentOfRun()[part])];
       const auto component = static_cast<std::int32_t>(count) + target;
-      fillNodes(parts_.runs(), part, number(component, parts_.runs().measures[part], result),
-                result.ofNode);
+      addPiece(parts_.runs(), part, component, result);
     }
   }
 }
 
-/// Final number of a component, of which a run is at hand.
-std::int32_t LargeComponentSplit::number(std::int32_t component, const Component& measure,
-                                         NodeComponents& result) {
+void LargeComponentSplit::addPiece(const RowRuns& runs, std::size_t run, std::int32_t component,
+                                   NodeComponents& result) {
   std::int32_t& number = number_[at(component)];
   if (number < 0) {
     number = static_cast<std::int32_t>(result.measures.size());
     result.measures.emplace_back();
   }
-  result.measures[at(number)].merge(measure);
-  return number;
+  result.measures[at(number)].merge(runs.measures[run]);
+  result.pieces.push_back({runs.begin[run], runs.end[run], number});
 }
 
 bool LargeComponentSplit::selectLarge(const NodeClustering& wholes) {

@@ -82,12 +82,15 @@ void attach(std::size_t i, const LevelPoints& points, const RangeImage& image,
 
 void attachLeftoverPoints(const LevelPoints& points, const RangeImage& image,
                           const LinkRules& rules, const ObjectNodes& nodes,
-                          const std::vector<std::int32_t>& instanceOfNode, float distance,
+                          const std::vector<std::int32_t>& instanceOfNode,
+                          const std::vector<NodeComponents::Piece>& leftover, float distance,
                           Segmentation& segmentation) {
   NearestInstance nearest(rules, nodes, instanceOfNode, distance);
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
-    if (instanceOfNode[n] != 0) continue;
-    attach(static_cast<std::size_t>(nodes.point[n]), points, image, nearest, segmentation);
+  for (const NodeComponents::Piece& piece : leftover) {
+    for (std::int32_t n = piece.begin; n < piece.end; ++n) {
+      const std::int32_t point = nodes.point[static_cast<std::size_t>(n)];
+      attach(static_cast<std::size_t>(point), points, image, nearest, segmentation);
+    }
   }
   for (std::size_t m = 0; m < nodes.matePoint.size(); ++m) {
     if (instanceOfNode[static_cast<std::size_t>(nodes.mateNode[m])] != 0) continue;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <toss/geometry/MarkedWords.h>
 #include <toss/geometry/ProcessorVariants.h>
 #include <toss/segmentation/ObjectNodes.h>
 
@@ -11,22 +12,19 @@ namespace {
 /// What gathering reads.
 struct Scan {
   const RangeImage& image;
-  const Segmentation& segmentation;
-
-  /// What is in a pixel is in range and finite.
-  bool isCandidate(std::size_t i) const {
-    return segmentation.pointClass[i] == PointClass::Unclustered;
-  }
+  /// ObjectNodes::isAbove.
+  const std::uint8_t* isAbove;
+  float pixelMerge;
 };
 
-/// Nodes as they are added; there is room for one of every point, and one more.
+/// Nodes as they are added; there is room for all.
 struct NodeList {
   std::int32_t *point, *column;
   std::size_t count = 0;
 
-  void addIf(bool wanted, std::int32_t newPoint, int newColumn) {
+  void add(std::int32_t newPoint, int newColumn) {
     point[count] = newPoint, column[count] = newColumn;
-    count += wanted ? 1 : 0;
+    ++count;
   }
 };
 
@@ -41,16 +39,17 @@ std::int32_t surfaceAt(const RangeImage& image, const NodeList& nodes, std::size
 }
 
 /// Adds the returns of a pixel: it may hold several surfaces, the edge of one and what is behind.
-void gatherPixel(const Scan& scan, float pixelMerge, int column, std::int32_t head, NodeList& nodes,
+void gatherPixel(const Scan& scan, int column, std::int32_t head, NodeList& nodes,
                  ObjectNodes& result) {
   const std::size_t first = nodes.count;
   for (std::int32_t p = head; p != RangeImage::kNone;
        p = scan.image.next[static_cast<std::size_t>(p)]) {
     const std::size_t i = static_cast<std::size_t>(p);
-    if (!scan.isCandidate(i)) continue;
-    const std::int32_t host = surfaceAt(scan.image, nodes, first, scan.image.range[i], pixelMerge);
+    if (scan.isAbove[i] == 0) continue;
+    const std::int32_t host =
+        surfaceAt(scan.image, nodes, first, scan.image.range[i], scan.pixelMerge);
     if (host < 0) {
-      nodes.addIf(true, p, column);
+      nodes.add(p, column);
       continue;
     }
     result.matePoint.push_back(p);
@@ -58,20 +57,46 @@ void gatherPixel(const Scan& scan, float pixelMerge, int column, std::int32_t he
   }
 }
 
-void gatherRow(const Scan& scan, float pixelMerge, int row, NodeList& nodes, ObjectNodes& result) {
+void gatherRow(const Scan& scan, int row, const std::uint8_t* marks, std::size_t length,
+               NodeList& nodes, ObjectNodes& result) {
   const std::int32_t* const heads = scan.image.representative.data() + scan.image.pixel(row, 0);
   const std::int32_t* const next = scan.image.next.data();
-  for (int column = 0; column < scan.image.columns; ++column) {
-    const std::int32_t head = heads[column];
-    const bool filled = head != RangeImage::kNone;
-    const auto first = static_cast<std::size_t>(filled ? head : 0);
-    if (filled & (next[first] != RangeImage::kNone)) {
-      gatherPixel(scan, pixelMerge, column, head, nodes, result);
+  visitMarks(marks, length, [&](std::size_t pixel) {
+    const std::int32_t head = heads[pixel];
+    const int column = static_cast<int>(pixel);
+    if (next[static_cast<std::size_t>(head)] == RangeImage::kNone) {
+      nodes.add(head, column);
     } else {
-      // Without branches, as no one could foretell which pixels hold what.
-      nodes.addIf(filled & scan.isCandidate(first), head, column);
+      gatherPixel(scan, column, head, nodes, result);
     }
+  });
+}
+
+TOSS_ALSO_FOR_AVX2
+void findAbove(const PointClass* __restrict pointClass, const std::uint16_t* __restrict row,
+               std::size_t n, std::uint8_t* __restrict isAbove) {
+  for (std::size_t i = 0; i < n; ++i) {
+    isAbove[i] = static_cast<std::uint8_t>((pointClass[i] == PointClass::Unclustered) &
+                                           (row[i] != RangeImage::kNoRow));
   }
+}
+
+/// Marks the returns above ground and their pixels, `rowLength` marks per row. Returns how many
+/// there are.
+std::size_t markAbove(const RangeImage& image, const Segmentation& segmentation,
+                      std::size_t rowLength, ObjectNodes& nodes) {
+  const std::size_t n = image.row.size();
+  nodes.isAbove.resize(roundedToBlocks(n));
+  std::fill(nodes.isAbove.begin() + static_cast<std::ptrdiff_t>(n), nodes.isAbove.end(),
+            std::uint8_t{0});
+  findAbove(segmentation.pointClass.data(), image.row.data(), n, nodes.isAbove.data());
+  nodes.pixelMarks.assign(static_cast<std::size_t>(image.rows) * rowLength, 0);
+  std::size_t count = 0;
+  visitMarks(nodes.isAbove.data(), nodes.isAbove.size(), [&](std::size_t i) {
+    nodes.pixelMarks[image.row[i] * rowLength + image.column[i]] = 1;
+    ++count;
+  });
+  return count;
 }
 
 void clear(ObjectNodes& nodes) {
@@ -128,11 +153,15 @@ void gatherNodes(const LevelPoints& points, const RangeImage& image,
                  const Segmentation& segmentation, const LinkRules& rules, float pixelMerge,
                  ObjectNodes& result) {
   clear(result);
-  const Scan scan{image, segmentation};
-  result.point.resize(image.row.size() + 1), result.column.resize(image.row.size() + 1);
+  const std::size_t rowLength = roundedToBlocks(static_cast<std::size_t>(image.columns));
+  const std::size_t most = markAbove(image, segmentation, rowLength, result);
+  result.point.resize(most), result.column.resize(most);
+  const Scan scan{image, result.isAbove.data(), pixelMerge};
   NodeList nodes{result.point.data(), result.column.data()};
   for (int row = 0; row < image.rows; ++row) {
-    if (!image.row.empty()) gatherRow(scan, pixelMerge, row, nodes, result);
+    const std::uint8_t* const marks =
+        result.pixelMarks.data() + static_cast<std::size_t>(row) * rowLength;
+    gatherRow(scan, row, marks, rowLength, nodes, result);
     result.rowBegin.push_back(static_cast<std::int32_t>(nodes.count));
   }
   const std::size_t n = nodes.count;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <toss/geometry/MarkedWords.h>
 #include <toss/segmentation/LargeComponentSplit.h>
 #include <toss/segmentation/LeftoverPoints.h>
 #include <toss/segmentation/LinkRules.h>
@@ -33,7 +34,7 @@ struct ObjectSegmentation::Implementation {
 
   /// Numbers the components that are instances; returns how many.
   std::int32_t numberInstances(const LinkRules& rules);
-  void write(Segmentation& segmentation) const;
+  void write(Segmentation& segmentation);
   /// Groups the points by instance.
   void fillMembers(Segmentation& segmentation) const;
 
@@ -43,6 +44,8 @@ struct ObjectSegmentation::Implementation {
   LargeComponentSplit splitter;
   NodeComponents components;
   std::vector<std::int32_t> instanceOfComponent, instanceOfNode;
+  /// Nodes in no instance.
+  std::vector<NodeComponents::Piece> leftover;
 };
 
 std::int32_t ObjectSegmentation::Implementation::numberInstances(const LinkRules& rules) {
@@ -54,20 +57,26 @@ std::int32_t ObjectSegmentation::Implementation::numberInstances(const LinkRules
     const bool tooMany = options.maxPoints > 0 && component.returns > options.maxPoints;
     instanceOfComponent[c] = enough && !tooMany ? ++count : 0;
   }
-  instanceOfNode.resize(nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    instanceOfNode[i] = instanceOfComponent[static_cast<std::size_t>(components.ofNode[i])];
-  }
   return count;
 }
 
-void ObjectSegmentation::Implementation::write(Segmentation& segmentation) const {
+void ObjectSegmentation::Implementation::write(Segmentation& segmentation) {
   const auto give = [&](std::int32_t point, std::int32_t instance) {
-    if (instance == 0) return;
     segmentation.instance[static_cast<std::size_t>(point)] = instance;
-    segmentation.pointClass[static_cast<std::size_t>(point)] = PointClass::Instance;
+    segmentation.pointClass[static_cast<std::size_t>(point)] =
+        instance == 0 ? PointClass::Unclustered : PointClass::Instance;
   };
-  for (std::size_t i = 0; i < nodes.size(); ++i) give(nodes.point[i], instanceOfNode[i]);
+  instanceOfNode.resize(nodes.size());
+  leftover.clear();
+  for (const NodeComponents::Piece& piece : components.pieces) {
+    const std::int32_t instance = instanceOfComponent[static_cast<std::size_t>(piece.component)];
+    if (instance == 0) leftover.push_back(piece);
+    for (auto i = static_cast<std::size_t>(piece.begin); i < static_cast<std::size_t>(piece.end);
+         ++i) {
+      instanceOfNode[i] = instance;
+      give(nodes.point[i], instance);
+    }
+  }
   for (std::size_t m = 0; m < nodes.matePoint.size(); ++m) {
     give(nodes.matePoint[m], instanceOfNode[static_cast<std::size_t>(nodes.mateNode[m])]);
   }
@@ -79,29 +88,35 @@ void ObjectSegmentation::Implementation::fillMembers(Segmentation& segmentation)
   const std::vector<std::int32_t>& instance = segmentation.instance;
   std::vector<std::int32_t>& begin = segmentation.memberBegin;
   begin.assign(static_cast<std::size_t>(segmentation.instanceCount) + 2, 0);
-  const auto countOf = [&](std::int32_t k) -> std::int32_t& {
-    return begin[static_cast<std::size_t>(k) + 1];
+  const auto instanceOf = [&](std::int32_t point) {
+    return static_cast<std::size_t>(instance[static_cast<std::size_t>(point)]);
   };
   for (std::size_t c = 0; c < instanceOfComponent.size(); ++c)
-    countOf(instanceOfComponent[c]) = components.measures[c].returns;
-  const auto countAttached = [&](std::int32_t point, std::int32_t node) {
-    if (instanceOfNode[static_cast<std::size_t>(node)] == 0)
-      ++countOf(instance[static_cast<std::size_t>(point)]);
-  };
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    countAttached(nodes.point[i], static_cast<std::int32_t>(i));
-  for (std::size_t m = 0; m < nodes.matePoint.size(); ++m)
-    countAttached(nodes.matePoint[m], nodes.mateNode[m]);
-  // Slot k + 1 counts instance k; summed up, slot k is where k starts, and once filled, where it
-  // ends.
+    begin[static_cast<std::size_t>(instanceOfComponent[c]) + 1] = components.measures[c].returns;
+  // Slot k + 1 counts instance k.
+  begin[1] = 0;
+  for (const NodeComponents::Piece& piece : leftover) {
+    for (std::int32_t i = piece.begin; i < piece.end; ++i)
+      ++begin[instanceOf(nodes.point[static_cast<std::size_t>(i)]) + 1];
+  }
+  for (std::size_t m = 0; m < nodes.matePoint.size(); ++m) {
+    if (instanceOfNode[static_cast<std::size_t>(nodes.mateNode[m])] == 0)
+      ++begin[instanceOf(nodes.matePoint[m]) + 1];
+  }
+  // Those in none come last and are cut off. Summed up, slot k is where k starts, and once filled,
+  // where it ends.
+  const std::int32_t none = begin[1];
   begin[1] = 0;
   for (std::size_t k = 2; k < begin.size(); ++k) begin[k] += begin[k - 1];
-  segmentation.members.resize(static_cast<std::size_t>(begin.back()));
-  for (std::size_t i = 0; i < instance.size(); ++i) {
-    const auto k = static_cast<std::size_t>(instance[i]);
-    if (k == 0) continue;
-    segmentation.members[static_cast<std::size_t>(begin[k]++)] = static_cast<std::int32_t>(i);
-  }
+  const std::int32_t count = begin.back();
+  begin[0] = count;
+  segmentation.members.resize(static_cast<std::size_t>(count + none));
+  std::int32_t* const members = segmentation.members.data();
+  visitMarks(nodes.isAbove.data(), nodes.isAbove.size(), [&](std::size_t i) {
+    members[begin[static_cast<std::size_t>(instance[i])]++] = static_cast<std::int32_t>(i);
+  });
+  segmentation.members.resize(static_cast<std::size_t>(count));
+  begin[0] = 0;
   begin.pop_back();
 }
 
@@ -124,7 +139,7 @@ void ObjectSegmentation::segment(const LevelPoints& points, const RangeImage& im
   segmentation.instanceCount = self.numberInstances(rules);
   self.write(segmentation);
   if (self.options.attachDistance > 0.0) {
-    attachLeftoverPoints(points, image, rules, self.nodes, self.instanceOfNode,
+    attachLeftoverPoints(points, image, rules, self.nodes, self.instanceOfNode, self.leftover,
                          static_cast<float>(self.options.attachDistance), segmentation);
   }
   self.fillMembers(segmentation);

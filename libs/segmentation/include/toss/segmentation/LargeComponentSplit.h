@@ -13,8 +13,12 @@ namespace toss {
 
 /// Clusters of nodes.
 struct NodeComponents {
-  /// Component of each node, numbered from 0 by first node, shape [nodes].
-  std::vector<std::int32_t> ofNode;
+  /// Consecutive nodes begin .. end - 1 of one component; they are numbered from 0 by first node.
+  struct Piece {
+    std::int32_t begin, end, component;
+  };
+  /// All nodes, in their order.
+  std::vector<Piece> pieces;
   /// Size and place of each component.
   std::vector<Component> measures;
 };
@@ -44,7 +48,9 @@ class LargeComponentSplit {
   bool selectLarge(const NodeClustering& wholes);
   void clusterAgain(const ObjectNodes& nodes, const LinkRules& rules, const NodeClustering& wholes);
   void judge(const LinkRules& rules, std::size_t count);
-  std::int32_t number(std::int32_t component, const Component& measure, NodeComponents& result);
+  /// Adds a run, of a component that has no final number yet.
+  void addPiece(const RowRuns& runs, std::size_t run, std::int32_t component,
+                NodeComponents& result);
 
   float extent_, factor_;
   NodeClustering parts_;

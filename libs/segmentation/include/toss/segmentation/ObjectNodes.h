@@ -32,6 +32,11 @@ struct ObjectNodes {
   NodeReaches reaches;
   /// Nodes of row r are rowBegin[r] .. rowBegin[r + 1] - 1, shape [rows + 1].
   std::vector<std::int32_t> rowBegin;
+  /// 1 for returns that are nodes or mates, else 0, shape [returns, and zeros up to full blocks of
+  /// visitMarks()].
+  std::vector<std::uint8_t> isAbove;
+  /// 1 for pixels with such returns, row by row, each with zeros up to full blocks.
+  std::vector<std::uint8_t> pixelMarks;
   /// Returns that are mates, and the node of each, shape [mates].
   std::vector<std::int32_t> matePoint, mateNode;
 
