@@ -18,6 +18,7 @@ struct Span {
   float low = 0.0f, high = 0.0f;
   double length() const { return static_cast<double>(high - low); }
   double middle() const { return 0.5 * (static_cast<double>(low) + static_cast<double>(high)); }
+  void extend(float value) { low = std::min(low, value), high = std::max(high, value); }
 };
 
 /// Interval that some values fill. Four at a time, which the compiler turns into vectors.
@@ -47,10 +48,15 @@ class InstanceBoxer {
 
   /// Detection of instance `k` (from 1), its box in the level frame.
   Detection detect(std::int32_t k) {
-    gather(k);
+    const auto slot = static_cast<std::size_t>(k);
+    member_ = segmentation_.members.data() + segmentation_.memberBegin[slot - 1];
+    count_ = static_cast<std::size_t>(segmentation_.memberBegin[slot] -
+                                      segmentation_.memberBegin[slot - 1]);
+    measure();
+    if (isTrimmed() || mayFit()) gather();
     Detection detection;
     detection.instance = k;
-    detection.pointCount = static_cast<std::int32_t>(x_.size());
+    detection.pointCount = static_cast<std::int32_t>(count_);
     detection.box = footprint();
     const Span heights = this->heights();
     detection.box.height = heights.length();
@@ -60,30 +66,41 @@ class InstanceBoxer {
   }
 
  private:
-  void gather(std::int32_t k) {
-    const auto slot = static_cast<std::size_t>(k);
-    const auto begin = static_cast<std::size_t>(segmentation_.memberBegin[slot - 1]);
-    const std::size_t n = static_cast<std::size_t>(segmentation_.memberBegin[slot]) - begin;
-    x_.resize(n), y_.resize(n), z_.resize(n);
-    const std::int32_t* const member = segmentation_.members.data() + begin;
-    float *const x = x_.data(), *const y = y_.data(), *const z = z_.data();
-    for (std::size_t m = 0; m < n; ++m) {
-      const auto i = static_cast<std::size_t>(member[m]);
-      x[m] = points_.x[i], y[m] = points_.y[i], z[m] = points_.z[i];
+  /// Finds what the members fill, and the lowest of them: the first one if several are.
+  void measure() {
+    const auto first = static_cast<std::size_t>(member_[0]);
+    Span x{points_.x[first], points_.x[first]}, y{points_.y[first], points_.y[first]};
+    Span z{points_.z[first], points_.z[first]};
+    std::size_t lowest = first;
+    for (std::size_t m = 1; m < count_; ++m) {
+      const auto i = static_cast<std::size_t>(member_[m]);
+      lowest = points_.z[i] < z.low ? i : lowest;
+      x.extend(points_.x[i]), y.extend(points_.y[i]), z.extend(points_.z[i]);
     }
-    const auto lowest = std::find(z_.begin(), z_.end(), rangeOf(z_).low) - z_.begin();
-    lowest_ = static_cast<std::size_t>(member[lowest]);
+    xSpan_ = x, ySpan_ = y, zSpan_ = z, lowest_ = lowest;
+  }
+
+  void gather() {
+    x_.resize(count_), y_.resize(count_), z_.resize(count_);
+    for (std::size_t m = 0; m < count_; ++m) {
+      const auto i = static_cast<std::size_t>(member_[m]);
+      x_[m] = points_.x[i], y_[m] = points_.y[i], z_[m] = points_.z[i];
+    }
+  }
+
+  bool mayFit() const {
+    const double side = std::max(xSpan_.length(), ySpan_.length());
+    return options_.mode == BoxMode::LShape && side >= options_.lShapeMinSide &&
+           count_ >= static_cast<std::size_t>(options_.lShapePoints);
   }
 
   Box footprint() {
-    const Span x = span(x_), y = span(y_);
+    const Span x = trimmed(x_, xSpan_), y = trimmed(y_, ySpan_);
     Box box;
     box.center = {x.middle(), y.middle(), 0.0};
     box.length = x.length(), box.width = y.length();
     const double side = std::max(box.length, box.width);
-    const bool fit = options_.mode == BoxMode::LShape && side >= options_.lShapeMinSide &&
-                     side <= options_.lShapeMaxSide &&
-                     x_.size() >= static_cast<std::size_t>(options_.lShapePoints);
+    const bool fit = mayFit() && side >= options_.lShapeMinSide && side <= options_.lShapeMaxSide;
     return fit ? orientedFootprint(fitLShape(x_, y_)) : box;
   }
 
@@ -95,7 +112,7 @@ class InstanceBoxer {
       y_[i] = cf * y_[i] - sf * x_[i];
       x_[i] = along;
     }
-    const Span along = span(x_), across = span(y_);
+    const Span along = trimmed(x_, rangeOf(x_)), across = trimmed(y_, rangeOf(y_));
     Box box;
     box.center = {c * along.middle() - s * across.middle(),
                   s * along.middle() + c * across.middle(), 0.0};
@@ -108,7 +125,7 @@ class InstanceBoxer {
   }
 
   Span heights() {
-    Span result = span(z_);
+    Span result = trimmed(z_, zSpan_);
     const float floor = groundBelow();
     const float gap = result.low - floor;
     if (gap > 0.0f && gap <= static_cast<float>(options_.floorGap)) result.low = floor;
@@ -130,15 +147,21 @@ class InstanceBoxer {
     return large || floating || (tall && box.length * box.width > options_.maxFootprint);
   }
 
-  /// Interval that the values fill, without the share that is trimmed at either end.
-  Span span(const std::vector<float>& values) {
-    const std::size_t n = values.size();
-    const auto cut = static_cast<std::ptrdiff_t>(options_.trim * static_cast<double>(n));
-    if (cut == 0 || n <= static_cast<std::size_t>(options_.trimPoints)) {
-      return rangeOf(values);
-    }
+  /// Returns cut off at each end.
+  std::size_t cut() const {
+    return static_cast<std::size_t>(options_.trim * static_cast<double>(count_));
+  }
+  bool isTrimmed() const {
+    return cut() != 0 && count_ > static_cast<std::size_t>(options_.trimPoints);
+  }
+
+  /// Interval that the values fill, `whole`, without the share that is trimmed at either end.
+  Span trimmed(const std::vector<float>& values, const Span& whole) {
+    if (!isTrimmed()) return whole;
     sorted_ = values;
-    return {quantile(cut), quantile(static_cast<std::ptrdiff_t>(n) - 1 - cut)};
+    const auto first = static_cast<std::ptrdiff_t>(cut());
+    const float low = quantile(first);
+    return {low, quantile(static_cast<std::ptrdiff_t>(count_) - 1 - first)};
   }
 
   float quantile(std::ptrdiff_t rank) {
@@ -149,8 +172,13 @@ class InstanceBoxer {
   const LevelPoints& points_;
   const Segmentation& segmentation_;
   const BoxOptions& options_;
-  std::vector<float> x_, y_, z_, sorted_;
+  /// Of the instance at hand: its returns, what they fill, and the lowest of them.
+  const std::int32_t* member_ = nullptr;
+  std::size_t count_ = 0;
+  Span xSpan_, ySpan_, zSpan_;
   std::size_t lowest_ = 0;
+  /// Coordinates of its returns, where they are needed one by one.
+  std::vector<float> x_, y_, z_, sorted_;
 };
 
 }  // namespace

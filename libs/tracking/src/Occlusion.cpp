@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <toss/geometry/MarkedWords.h>
+#include <toss/geometry/ProcessorVariants.h>
 #include <toss/tracking/Occlusion.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
 
 namespace toss {
 namespace {
@@ -19,64 +25,77 @@ struct RunEnds {
   }
 };
 
+/// Marks where runs of one instance end: between return i - 1 of a row and return i, if either is
+/// in an instance. The compiler vectorises this only as a function of arrays that are known not to
+/// overlap.
+TOSS_ALSO_FOR_AVX2
+void findEnds(const std::int32_t* __restrict instance, const std::int32_t* __restrict column,
+              std::size_t n, std::uint8_t* __restrict ends) {
+  for (std::size_t i = 1; i < n; ++i) {
+    const bool differ = (instance[i] != instance[i - 1]) | (column[i] - column[i - 1] > kGap + 1);
+    const bool any = (instance[i] | instance[i - 1]) != 0;
+    ends[i] = static_cast<std::uint8_t>(differ & any);
+  }
+}
+
 class OcclusionCount {
  public:
   OcclusionCount(const RangeImage& image, const Segmentation& segmentation)
       : image_(image),
         segmentation_(segmentation),
         left_(static_cast<std::size_t>(segmentation.instanceCount) + 1),
-        right_(left_.size()) {}
+        right_(left_.size()) {
+    const std::size_t most = static_cast<std::size_t>(image.columns) + 2;
+    point_.resize(most), column_.resize(most), instance_.resize(most);
+    ends_.resize(roundedToBlocks(most));
+  }
 
   void countRow(int row) {
-    const std::int32_t* const points = image_.representative.data() + image_.pixel(row, 0);
-    // The neighbour of the first column is the last one: the row closes at the rear.
-    int previous = image_.columns - 1;
-    while (previous >= 0 && points[previous] == RangeImage::kNone) --previous;
-    if (previous < 0) return;
-    Neighbour left = neighbour(points[previous]);
-    previous -= image_.columns;
-    for (int column = 0; column < image_.columns; ++column) {
-      if (points[column] == RangeImage::kNone) continue;
-      const Neighbour right = neighbour(points[column]);
-      if (column - previous > kGap + 1) {
-        compare(left, Neighbour());
-        compare(Neighbour(), right);
-      } else if (left.instance != right.instance) {
-        compare(left, right);
-      }
-      previous = column, left = right;
-    }
+    const std::size_t n = takeRow(row);
+    if (n < 2) return;
+    std::fill(ends_.begin(), ends_.end(), std::uint8_t{0});
+    findEnds(instance_.data(), column_.data(), n, ends_.data());
+    visitMarks(ends_.data(), ends_.size(), [&](std::size_t i) { countEnd(i); });
   }
 
   RunEnds left(std::size_t instance) const { return left_[instance]; }
   RunEnds right(std::size_t instance) const { return right_[instance]; }
 
  private:
-  /// A return, or none.
-  struct Neighbour {
-    std::int32_t point = RangeImage::kNone;
-    std::size_t instance = 0;
-  };
-  Neighbour neighbour(std::int32_t point) const {
-    return {point,
-            static_cast<std::size_t>(segmentation_.instance[static_cast<std::size_t>(point)])};
+  /// Columns grow clockwise: return i - 1 lies to the left of return i. What no one asks for is
+  /// counted for instance 0: choices would mostly be mispredicted.
+  void countEnd(std::size_t i) {
+    const bool adjacent = column_[i] - column_[i - 1] <= kGap + 1;
+    const float difference = rangeOf(point_[i]) - rangeOf(point_[i - 1]);
+    right_[at(instance_[i - 1])].count(adjacent & (-difference > kNearer));
+    left_[at(instance_[i])].count(adjacent & (difference > kNearer));
   }
 
-  /// Columns grow clockwise: the neighbour in the column before lies to the left.
-  void compare(const Neighbour& left, const Neighbour& right) {
-    const float difference = rangeOf(right.point) - rangeOf(left.point);
-    if (left.instance != 0) right_[left.instance].count(-difference > kNearer);
-    if (right.instance != 0) left_[right.instance].count(difference > kNearer);
-  }
+  static std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
+  float rangeOf(std::int32_t point) const { return image_.range[at(point)]; }
 
-  /// Nothing measured is taken as far away: it hides nothing.
-  float rangeOf(std::int32_t point) const {
-    return point == RangeImage::kNone ? 1e9f : image_.range[static_cast<std::size_t>(point)];
+  /// Takes the returns of a row, after the last one in the place of the neighbour of the first
+  /// column: the row closes at the rear. Without branches, as no one could foretell which pixels
+  /// are empty. Returns how many there are.
+  std::size_t takeRow(int row) {
+    const std::int32_t* const points = image_.representative.data() + image_.pixel(row, 0);
+    std::size_t n = 1;
+    for (int column = 0; column < image_.columns; ++column) {
+      point_[n] = points[column], column_[n] = column;
+      n += points[column] == RangeImage::kNone ? 0 : 1;
+    }
+    point_[0] = point_[n - 1], column_[0] = column_[n - 1] - image_.columns;
+    if (n == 1) return 0;
+    for (std::size_t i = 0; i < n; ++i) instance_[i] = segmentation_.instance[at(point_[i])];
+    return n;
   }
 
   const RangeImage& image_;
   const Segmentation& segmentation_;
   std::vector<RunEnds> left_, right_;
+  /// Of the returns of a row.
+  std::vector<std::int32_t> point_, column_, instance_;
+  std::vector<std::uint8_t> ends_;
 };
 
 }  // namespace
