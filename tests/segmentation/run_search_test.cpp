@@ -49,7 +49,7 @@ TEST(RunColumns, FindsEveryRunThatTouchesTheColumns) {
   for (int row = 0; row < kRows; ++row) {
     for (std::int32_t left = -30; left < kColumns + 30; left += 7) {
       const std::int32_t right = left + 25;
-      const RunColumns::Span found = columns.touching(row, left, right);
+      const RunColumns::Span found = columns.touching(row, columns.stepsOf(left, right));
       ASSERT_GE(found.begin, runs.rowBegin[static_cast<std::size_t>(row)]);
       ASSERT_LE(found.end, runs.rowBegin[static_cast<std::size_t>(row) + 1]);
       for (auto run = runs.rowBegin[static_cast<std::size_t>(row)];

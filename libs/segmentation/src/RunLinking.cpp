@@ -62,7 +62,7 @@ void RunLinking::linkRow(int row) {
 
 void RunLinking::noteSets(Span runs) {
   for (Index run = runs.begin; run < runs.end; ++run) {
-    search_.keys.setSet(run, sets_.find(run));
+    search_.keys.setSet(run, sets_.ancestor(run));
   }
 }
 
@@ -70,12 +70,13 @@ void RunLinking::linkUpwards(Span runs, int row, Index shift) {
   for (Index a = runs.begin; a < runs.end; ++a) {
     const Index first = runs_.firstColumn[at(a)] - shift, last = runs_.lastColumn[at(a)] - shift;
     const Index window = runs_.reaches.window[at(a)];
+    const RunColumns::Steps columns = search_.columns.stepsOf(first - window, last + window);
     Index root = sets_.find(a);
     RunVicinity vicinity = search_.keys.betweenRows(a, root, first, last);
     const bool surface =
         runs_.lowest[at(a)] <= -rules_.surfaceDepth && nextRow_.ofRun[a] < nextRow_.surface;
     for (int upper = row - 1; upper >= std::max(0, row - rules_.rowWindow); --upper) {
-      const Span others = search_.columns.touching(upper, first - window, last + window);
+      const Span others = search_.columns.touching(upper, columns);
       if (upper == row - 1 && surface) {
         linkNear<true>(a, root, others, vicinity, nextRow_, shift);
       } else {
@@ -90,7 +91,8 @@ void RunLinking::linkWithin(Span runs, int row, Index shift) {
   for (Index a = runs.begin; a < runs.end; ++a) {
     const Index first = runs_.firstColumn[at(a)] - shift, last = runs_.lastColumn[at(a)] - shift;
     const Index window = runs_.reaches.window[at(a)];
-    Span others = search_.columns.touching(row, first - window, last + window);
+    Span others =
+        search_.columns.touching(row, search_.columns.stepsOf(first - window, last + window));
     if (shift == 0) others.begin = a + 1;
     Index root = sets_.find(a);
     RunVicinity vicinity = search_.keys.withinRow(a, root);

@@ -18,14 +18,22 @@ class RunColumns {
     std::int32_t begin, end;
   };
 
+  /// Places of two columns in the table, the same in each row.
+  struct Steps {
+    std::size_t left, right;
+  };
+
   /// `columns`: of the range image.
   void build(const RowRuns& runs, std::int32_t columns);
 
-  /// All runs of `row` that touch the columns left..right, and a few beside them. Columns beyond
+  Steps stepsOf(std::int32_t left, std::int32_t right) const {
+    return {stepOf(left), stepOf(right)};
+  }
+  /// All runs of `row` that touch the columns between two, and a few beside them. Columns beyond
   /// either end of the row hold none.
-  Span touching(int row, std::int32_t left, std::int32_t right) const {
+  Span touching(int row, const Steps& columns) const {
     const std::size_t rowBegin = static_cast<std::size_t>(row) * steps_;
-    return {endingBefore_[rowBegin + stepOf(left)], beginningIn_[rowBegin + stepOf(right)]};
+    return {endingBefore_[rowBegin + columns.left], beginningIn_[rowBegin + columns.right]};
   }
 
  private:

@@ -14,11 +14,24 @@
 
 namespace toss {
 
+/// A key that several runs are compared with in one go.
+#ifdef __SSE2__
+using RunKey = __m128i;
+inline RunKey runKey(std::uint16_t key) {
+  return _mm_set1_epi16(static_cast<short>(key));
+}
+#else
+using RunKey = std::uint16_t;
+inline RunKey runKey(std::uint16_t key) {
+  return key;
+}
+#endif
+
 /// Where runs lie that may be linked to one run: at ranges nearest..farthest, or at ranges
 /// surfaceNearest..surfaceFarthest in the columns first..last, where they may be of one surface
 /// with it. Runs of its set are linked already. Numbers as in RunKeys.
 struct RunVicinity {
-  std::uint16_t nearest, farthest, surfaceNearest, surfaceFarthest, first, last, set;
+  RunKey nearest, farthest, surfaceNearest, surfaceFarthest, first, last, set;
 };
 
 /// What tells runs that may be linked to a run from others at a glance, in 16 bits each, so that
@@ -26,7 +39,7 @@ struct RunVicinity {
 class RunKeys {
  public:
   /// Runs that are looked at in one go.
-  static constexpr std::int32_t kLanes = 16;
+  static constexpr std::int32_t kLanes = 8;
 
   /// `surface`: greatest distance of runs of one surface [m].
   void build(const RowRuns& runs, float surface);
@@ -35,22 +48,34 @@ class RunKeys {
   /// columns.
   RunVicinity withinRow(std::int32_t run, std::int32_t set) const {
     const auto r = static_cast<std::size_t>(run);
-    return {horizontal_.nearest[r], horizontal_.farthest[r], 0, 0, 0, 0, ofOwnSet(set)};
+    const RunKey none = runKey(0);
+    return {runKey(horizontal_.nearest[r]),
+            runKey(horizontal_.farthest[r]),
+            none,
+            none,
+            none,
+            none,
+            ofOwnSet(set)};
   }
   RunVicinity betweenRows(std::int32_t run, std::int32_t set, std::int32_t first,
                           std::int32_t last) const {
     const auto r = static_cast<std::size_t>(run);
-    return {vertical_.nearest[r], vertical_.farthest[r], surface_.nearest[r], surface_.farthest[r],
-            ofColumn(first - 1),  ofColumn(last + 1),    ofOwnSet(set)};
+    return {runKey(vertical_.nearest[r]),
+            runKey(vertical_.farthest[r]),
+            runKey(surface_.nearest[r]),
+            runKey(surface_.farthest[r]),
+            runKey(ofColumn(first - 1)),
+            runKey(ofColumn(last + 1)),
+            ofOwnSet(set)};
   }
 
-  /// Sets the set of a run. Those of numbers too large are not told from each other, nor are they
-  /// the set of any vicinity.
+  /// Sets the set of a run, which any of its members may stand for. Those of numbers too large are
+  /// not told from each other, nor are they the set of any vicinity.
   void setSet(std::int32_t run, std::int32_t set) {
     set_[static_cast<std::size_t>(run)] = static_cast<std::uint16_t>(std::min(set, kLargeSet));
   }
-  static std::uint16_t ofOwnSet(std::int32_t set) {
-    return static_cast<std::uint16_t>(set < kLargeSet ? set : kLargeSet + 1);
+  static RunKey ofOwnSet(std::int32_t set) {
+    return runKey(static_cast<std::uint16_t>(set < kLargeSet ? set : kLargeSet + 1));
   }
 
   /// Bit k: whether run `first` + k lies in the vicinity, for kLanes runs; where there is no run,
@@ -81,30 +106,26 @@ class RunKeys {
 
 template <bool withSurface>
 std::uint32_t RunKeys::inVicinity(std::int32_t first, const RunVicinity& vicinity) const {
-  const auto all = [](std::uint16_t value) { return _mm_set1_epi16(static_cast<short>(value)); };
-  const auto zero = _mm_setzero_si128();
-  const auto eight = [&](std::size_t run) {
-    const auto load = [run](const std::vector<std::uint16_t>& keys) {
-      return _mm_loadu_si128(reinterpret_cast<const __m128i*>(keys.data() + run));
-    };
-    // Differences that saturate at zero are zero where nothing is exceeded.
-    const auto outside = [&](__m128i low, __m128i high, std::uint16_t least, std::uint16_t most) {
-      return _mm_or_si128(_mm_subs_epu16(low, all(most)), _mm_subs_epu16(all(least), high));
-    };
-    const __m128i nearest = load(own_.nearest), farthest = load(own_.farthest);
-    __m128i near =
-        _mm_cmpeq_epi16(outside(nearest, farthest, vicinity.nearest, vicinity.farthest), zero);
-    if (withSurface) {
-      const __m128i far =
-          outside(nearest, farthest, vicinity.surfaceNearest, vicinity.surfaceFarthest);
-      const __m128i aside =
-          outside(load(firstColumn_), load(lastColumn_), vicinity.first, vicinity.last);
-      near = _mm_or_si128(near, _mm_cmpeq_epi16(_mm_or_si128(far, aside), zero));
-    }
-    return _mm_andnot_si128(_mm_cmpeq_epi16(load(set_), all(vicinity.set)), near);
+  const auto load = [first](const std::vector<std::uint16_t>& keys) {
+    return _mm_loadu_si128(reinterpret_cast<const __m128i*>(keys.data() + first));
   };
-  const auto run = static_cast<std::size_t>(first);
-  return static_cast<std::uint32_t>(_mm_movemask_epi8(_mm_packs_epi16(eight(run), eight(run + 8))));
+  // Differences that saturate at zero are zero where nothing is exceeded.
+  const auto outside = [](__m128i low, __m128i high, __m128i least, __m128i most) {
+    return _mm_or_si128(_mm_subs_epu16(low, most), _mm_subs_epu16(least, high));
+  };
+  const __m128i zero = _mm_setzero_si128();
+  const __m128i nearest = load(own_.nearest), farthest = load(own_.farthest);
+  __m128i near =
+      _mm_cmpeq_epi16(outside(nearest, farthest, vicinity.nearest, vicinity.farthest), zero);
+  if (withSurface) {
+    const __m128i far =
+        outside(nearest, farthest, vicinity.surfaceNearest, vicinity.surfaceFarthest);
+    const __m128i aside =
+        outside(load(firstColumn_), load(lastColumn_), vicinity.first, vicinity.last);
+    near = _mm_or_si128(near, _mm_cmpeq_epi16(_mm_or_si128(far, aside), zero));
+  }
+  near = _mm_andnot_si128(_mm_cmpeq_epi16(load(set_), vicinity.set), near);
+  return static_cast<std::uint32_t>(_mm_movemask_epi8(_mm_packs_epi16(near, zero)));
 }
 
 #else
