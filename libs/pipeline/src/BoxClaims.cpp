@@ -4,6 +4,7 @@
 #include <toss/geometry/ProcessorVariants.h>
 
 #include <algorithm>
+#include <array>
 
 #include "ClaimGrid.h"
 
@@ -16,6 +17,22 @@ using Takes = BoxClaims::Claimant::Takes;
 constexpr double kBelowBox = 1.0;
 /// More than any box takes.
 constexpr std::int32_t kNever = static_cast<std::int32_t>(Takes::Residue) + 1;
+/// The least that a box must take to claim a return outright, by its way: only some boxes take what
+/// is in an instance.
+constexpr std::array<std::int32_t, 4> kLeast = {static_cast<std::int32_t>(Takes::Cuts), kNever,
+                                                kNever, 0};
+
+/// Takes the returns first..last - 1.
+[[gnu::always_inline]] inline void fill(ClaimBatch& batch, const ClaimSquares::Found* first,
+                                        const ClaimSquares::Found* last,
+                                        const LevelPoints& points) {
+  batch.start(static_cast<std::size_t>(last - first));
+  for (std::size_t lane = 0; first != last; ++first, ++lane) {
+    const auto i = static_cast<std::size_t>(first->point);
+    batch.x[lane] = points.x[i], batch.y[lane] = points.y[i], batch.z[lane] = points.z[i];
+    batch.least[lane] = kLeast[static_cast<std::size_t>(first->way)];
+  }
+}
 
 }  // namespace
 
@@ -83,21 +100,6 @@ void BoxClaims::findNearby(const LevelPoints& points, const Segmentation& segmen
   squares_.find(points, segmentation, residueHeight_, cuttable_);
 }
 
-/// What each return asks for: ground may be low, and only some boxes take what is in an instance.
-void BoxClaims::fill(ClaimBatch& batch, const Found* first, const Found* last,
-                     const LevelPoints& points, const Segmentation& segmentation) const {
-  batch.start(static_cast<std::size_t>(last - first));
-  for (std::size_t lane = 0; first != last; ++first, ++lane) {
-    const auto i = static_cast<std::size_t>(first->point);
-    batch.x[lane] = points.x[i], batch.y[lane] = points.y[i], batch.z[lane] = points.z[i];
-    const PointClass own = segmentation.pointClass[i];
-    const auto inside = static_cast<std::int32_t>(own == PointClass::Instance);
-    const bool low =
-        (own == PointClass::Ground) & (segmentation.heightAboveGround[i] <= residueHeight_);
-    batch.least[lane] = low ? kNever : inside * static_cast<std::int32_t>(Takes::Cuts);
-  }
-}
-
 /// Without branches, as no one could foretell which returns are claimed.
 void BoxClaims::takeClaims(const ClaimBatch& batch, const Found* first, const Found* last,
                            const Segmentation& segmentation) {
@@ -111,24 +113,28 @@ void BoxClaims::takeClaims(const ClaimBatch& batch, const Found* first, const Fo
   }
 }
 
+[[gnu::always_inline]] inline void BoxClaims::askBoxes(std::size_t cell, ClaimBatch& batch) const {
+  for (std::int32_t e = firstEntry_[cell]; e >= 0;) {
+    const Entry& entry = entries_[static_cast<std::size_t>(e)];
+    const ClaimFootprint& footprint = footprints_[static_cast<std::size_t>(entry.box)];
+    batch.askOutright(footprint, entry.box, static_cast<std::int32_t>(entry.takes), margins_);
+    if (entry.takes == Takes::Residue && margins_.residue != 0.0f)
+      batch.askResidue(footprint, entry.box, margins_);
+    e = entry.next;
+  }
+}
+
 /// Returns that follow each other in the scan mostly lie in the same cell.
 TOSS_ALSO_FOR_AVX2
 void BoxClaims::claimNearby(const LevelPoints& points, const Segmentation& segmentation) {
   ClaimBatch batch;
   for (const Found* first = squares_.begin(); first != squares_.end();) {
-    const std::size_t cell = ClaimGrid::cellOfSquare(first->square);
     const Found* const most =
         first + std::min<std::ptrdiff_t>(squares_.end() - first, ClaimBatch::kMost);
     const Found* last = first + 1;
-    while (last != most && ClaimGrid::cellOfSquare(last->square) == cell) ++last;
-    fill(batch, first, last, points, segmentation);
-    for (std::int32_t e = firstEntry_[cell]; e >= 0;) {
-      const Entry& entry = entries_[static_cast<std::size_t>(e)];
-      const bool residue = entry.takes == Takes::Residue && margins_.residue != 0.0f;
-      batch.ask(footprints_[static_cast<std::size_t>(entry.box)], entry.box,
-                static_cast<std::int32_t>(entry.takes), residue, margins_);
-      e = entry.next;
-    }
+    while (last != most && last->cell == first->cell) ++last;
+    fill(batch, first, last, points);
+    askBoxes(first->cell, batch);
     takeClaims(batch, first, last, segmentation);
     first = last;
   }

@@ -97,8 +97,8 @@ class BoxClaims {
   void findNearby(const LevelPoints& points, const Segmentation& segmentation,
                   const std::vector<bool>& standing);
   void claimNearby(const LevelPoints& points, const Segmentation& segmentation);
-  void fill(ClaimBatch& batch, const Found* first, const Found* last, const LevelPoints& points,
-            const Segmentation& segmentation) const;
+  /// Asks all boxes of a cell about returns in it.
+  void askBoxes(std::size_t cell, ClaimBatch& batch) const;
   void takeClaims(const ClaimBatch& batch, const Found* first, const Found* last,
                   const Segmentation& segmentation);
 

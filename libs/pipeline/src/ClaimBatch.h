@@ -32,31 +32,37 @@ struct ClaimBatch {
   struct Margins {
     float claim, residue;
   };
-  /// Asks box `number`, which takes that much; `mayHaveResidue`: whether it claims residue at all.
-  /// Vectorised where it is inlined.
-  [[gnu::always_inline]] inline void ask(const ClaimFootprint& box, std::int32_t number,
-                                         std::int32_t takes, bool mayHaveResidue,
-                                         const Margins& margins) {
-    const auto anyResidue = static_cast<int>(mayHaveResidue);
+  /// Asks box `number`, which takes that much, what it claims outright. Vectorised where it is
+  /// inlined.
+  [[gnu::always_inline]] inline void askOutright(const ClaimFootprint& box, std::int32_t number,
+                                                 std::int32_t takes, const Margins& margins) {
     const std::size_t lanes = lanes_;
     for (std::size_t i = 0; i < lanes; ++i) {
-      const float dx = x[i] - box.x, dy = y[i] - box.y;
-      const float along = std::fabs(box.cosYaw * dx + box.sinYaw * dy);
-      const float across = std::fabs(box.cosYaw * dy - box.sinYaw * dx);
-      const auto within = [&](float margin) {
-        return static_cast<int>(z[i] <= box.high + margin) &
-               static_cast<int>(along <= box.halfLength + margin) &
-               static_cast<int>(across <= box.halfWidth + margin);
-      };
-      const int above = static_cast<int>(z[i] >= box.low);
-      const int claims = above & within(margins.claim) & static_cast<int>(takes >= least[i]);
-      const int hasResidue = above & within(margins.residue) & anyResidue;
+      const int claims = holds(box, margins.claim, i) & static_cast<int>(takes >= least[i]);
       outright[i] = (claims & static_cast<int>(outright[i] < 0)) != 0 ? number : outright[i];
-      residue[i] = (hasResidue & static_cast<int>(residue[i] < 0)) != 0 ? number : residue[i];
+    }
+  }
+  /// The same for what it claims as residue.
+  [[gnu::always_inline]] inline void askResidue(const ClaimFootprint& box, std::int32_t number,
+                                                const Margins& margins) {
+    const std::size_t lanes = lanes_;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const int claims = holds(box, margins.residue, i) & static_cast<int>(residue[i] < 0);
+      residue[i] = claims != 0 ? number : residue[i];
     }
   }
 
  private:
+  [[gnu::always_inline]] inline int holds(const ClaimFootprint& box, float margin,
+                                          std::size_t i) const {
+    const float dx = x[i] - box.x, dy = y[i] - box.y;
+    const float along = std::fabs(box.cosYaw * dx + box.sinYaw * dy);
+    const float across = std::fabs(box.cosYaw * dy - box.sinYaw * dx);
+    return static_cast<int>(z[i] >= box.low) & static_cast<int>(z[i] <= box.high + margin) &
+           static_cast<int>(along <= box.halfLength + margin) &
+           static_cast<int>(across <= box.halfWidth + margin);
+  }
+
   static constexpr std::size_t kVector = 8;
   /// Whole vectors, so that no single returns are left over.
   std::size_t lanes_ = 0;

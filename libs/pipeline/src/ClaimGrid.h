@@ -32,8 +32,9 @@ class ClaimGrid {
 
   static std::int32_t squareOf(float x, float y) { return along(x) * kSquares + along(y); }
   static std::size_t cellOfSquare(std::int32_t square) {
-    const std::int32_t row = square / kSquares, column = square % kSquares;
-    return static_cast<std::size_t>(row / 2) * kCells + static_cast<std::size_t>(column / 2);
+    const auto number = static_cast<std::uint32_t>(square);
+    const std::uint32_t row = number / kSquares, column = number % kSquares;
+    return row / 2 * kCells + column / 2;
   }
 
   /// Calls `visit(cell)` for each cell that an area meets.

@@ -17,6 +17,10 @@ constexpr Mark kOutright = 1, kResidue = 2, kMany = 0xfffc;
 /// In the place of an instance's own mark: it is not cut; or it is, but has no mark of its own.
 constexpr Mark kNotCut = kMany + 1, kNoMark = 1;
 constexpr std::size_t kBlock = 512;
+static_assert(ClaimGrid::kCells * ClaimGrid::kCells - 1 <= 0xffff, "Found::cell holds any cell");
+static_assert(static_cast<int>(ClaimSquares::Way::Residue) == kResidue &&
+                  static_cast<int>(ClaimSquares::Way::Any) == (kOutright | kResidue),
+              "marks asked for are ways");
 
 Mark cutterOf(std::int32_t instance) {
   const bool named = instance > 0 && instance < kMany >> kCutterShift;
@@ -32,7 +36,8 @@ void findSquares(const float* __restrict x, const float* __restrict y, std::size
 }
 
 /// What would have to be marked for a box to claim a return that is in no instance: kOutright or
-/// kResidue; 0 for returns that are in one, and for those that no box may claim.
+/// kResidue, which are the bits of a Way; 0 for returns that are in one, and for those that no box
+/// may claim.
 TOSS_ALSO_FOR_AVX2
 void findAsked(const PointClass* __restrict pointClass, const float* __restrict height,
                float lowGround, std::size_t n, Mark* __restrict asked) {
@@ -117,7 +122,9 @@ void ClaimSquares::findInBlock(const LevelPoints& points, const Segmentation& se
   visitMarkedWords(block.wanted.data(), kBlock, [&](std::size_t first) {
     // Without branches, as no one could foretell which of them are wanted.
     for (std::size_t i = first; i < first + kMarksInWord; ++i) {
-      found[count] = {static_cast<std::int32_t>(begin + i), block.square[i]};
+      found[count] = {static_cast<std::int32_t>(begin + i),
+                      static_cast<std::uint16_t>(ClaimGrid::cellOfSquare(block.square[i])),
+                      static_cast<Way>(block.asked[i])};
       count += block.wanted[i];
     }
   });

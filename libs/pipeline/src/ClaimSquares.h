@@ -35,9 +35,17 @@ class ClaimSquares {
   void find(const LevelPoints& points, const Segmentation& segmentation, float lowGround,
             const std::vector<bool>& cuttable);
 
-  /// A return that was found, and the square that it lies in.
+  /// How a box may claim a return.
+  enum class Way : std::uint16_t {
+    Cut = 0,      ///< out of its instance
+    Residue = 2,  ///< as residue at most: low ground
+    Any = 3       ///< outright or as residue, as it is in no instance
+  };
+  /// A return that was found, the cell of the grid that it lies in, and how it may be claimed.
   struct Found {
-    std::int32_t point, square;
+    std::int32_t point;
+    std::uint16_t cell;
+    Way way;
   };
   /// What was found, by ascending point.
   const Found* begin() const { return found_.data(); }
