@@ -25,8 +25,9 @@ void LargeComponentSplit::split(const ObjectNodes& nodes, const LinkRules& rules
                                 const NodeClustering& wholes, NodeComponents& result) {
   const std::size_t count = wholes.components().size();
   const bool any = selectLarge(wholes);
-  verdicts_.resize(count);
-  for (Verdict& verdict : verdicts_) verdict.split = false;
+  // Those of earlier scans keep the memory of their lists.
+  if (verdicts_.size() < count) verdicts_.resize(count);
+  for (std::size_t whole = 0; whole < count; ++whole) verdicts_[whole].split = false;
   std::size_t parts = 0;
   if (any) {
     clusterAgain(nodes, rules, wholes);
@@ -40,7 +41,7 @@ void LargeComponentSplit::split(const ObjectNodes& nodes, const LinkRules& rules
   for (std::size_t run = 0; run < wholes.runs().size(); ++run) {
     const std::int32_t whole = wholes.componentOfRun()[run];
     if (!verdicts_[at(whole)].split) {
-      addPiece(wholes.runs(), run, whole, result);
+      addPiece(wholes.runs(), run, whole, wholes.components()[at(whole)], result);
     }
     if (selected_[run] == 0) continue;
     for (; part < parts_.runs().size() && parts_.runs().begin[part] < wholes.runs().end[run];
@@ -48,19 +49,18 @@ void LargeComponentSplit::split(const ObjectNodes& nodes, const LinkRules& rules
       if (!verdicts_[at(whole)].split) continue;
       const std::int32_t target = target_[at(parts_.componentOfRun()[part])];
       const auto component = static_cast<std::int32_t>(count) + target;
-      addPiece(parts_.runs(), part, component, result);
+      addPiece(parts_.runs(), part, component, measureOfTarget_[at(target)], result);
     }
   }
 }
 
 void LargeComponentSplit::addPiece(const RowRuns& runs, std::size_t run, std::int32_t component,
-                                   NodeComponents& result) {
+                                   const Component& measure, NodeComponents& result) {
   std::int32_t& number = number_[at(component)];
   if (number < 0) {
     number = static_cast<std::int32_t>(result.measures.size());
-    result.measures.emplace_back();
+    result.measures.push_back(measure);
   }
-  result.measures[at(number)].merge(runs.measures[run]);
   result.pieces.push_back({runs.begin[run], runs.end[run], number});
 }
 
@@ -70,7 +70,10 @@ bool LargeComponentSplit::selectLarge(const NodeClustering& wholes) {
   if (extent_ == 0.0f) return false;
   for (std::size_t run = 0; run < wholes.runs().size(); ++run) {
     const Component& whole = wholes.components()[at(wholes.componentOfRun()[run])];
-    if (whole.extent() > extent_) selected_[run] = 1, any = true;
+    // Without branches, as no one could foretell them.
+    const bool large = whole.extent() > extent_;
+    selected_[run] = static_cast<std::uint8_t>(large);
+    any |= large;
   }
   return any;
 }
@@ -108,9 +111,13 @@ void LargeComponentSplit::judge(const LinkRules& rules, std::size_t count) {
     verdict.parts.push_back(part);
     target_[p] = part;
   }
-  for (Verdict& verdict : verdicts_) verdict.split = anyTwoApart(verdict.parts, parts);
+  for (std::size_t whole = 0; whole < count; ++whole) {
+    verdicts_[whole].split = anyTwoApart(verdicts_[whole].parts, parts);
+  }
+  measureOfTarget_.assign(parts.size(), Component());
   for (std::size_t p = 0; p < parts.size(); ++p) {
     if (target_[p] < 0) target_[p] = verdicts_[at(wholeOfPart_[p])].largest;
+    measureOfTarget_[at(target_[p])].merge(parts[p]);
   }
 }
 

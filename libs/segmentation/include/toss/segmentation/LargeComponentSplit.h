@@ -48,9 +48,9 @@ class LargeComponentSplit {
   bool selectLarge(const NodeClustering& wholes);
   void clusterAgain(const ObjectNodes& nodes, const LinkRules& rules, const NodeClustering& wholes);
   void judge(const LinkRules& rules, std::size_t count);
-  /// Adds a run, of a component that has no final number yet.
+  /// Adds a run of a component, which gets its final number with its first run.
   void addPiece(const RowRuns& runs, std::size_t run, std::int32_t component,
-                NodeComponents& result);
+                const Component& measure, NodeComponents& result);
 
   float extent_, factor_;
   NodeClustering parts_;
@@ -61,6 +61,8 @@ class LargeComponentSplit {
   std::vector<Verdict> verdicts_;
   /// Part that each part is counted to.
   std::vector<std::int32_t> target_;
+  /// Measure of all parts that are counted to each part.
+  std::vector<Component> measureOfTarget_;
   /// Final number of each whole and, after them, of each part; -1 before it is met.
   std::vector<std::int32_t> number_;
 };
