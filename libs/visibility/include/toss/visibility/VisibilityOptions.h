@@ -13,7 +13,7 @@ struct VisibilityOptions : Options {
   /// Whether free space is looked at; off, tracking and voting decide alone as in the paper.
   bool enabled = true;
   /// Ages of the views that are asked [s], ascending, apart by spaces; the same before and after.
-  std::string offsets = "0.5 0.7 1 1.5 2 3 4";
+  std::string offsets = "0.5 0.7 1 1.5 2 3 4.5 6";
   /// Columns of a stored view; its pixels are as wide as the guard around thin structure.
   int columns = 1024;
   /// A view is free where it sees past the return by this much [m] plus this share of the range.
