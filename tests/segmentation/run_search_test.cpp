@@ -16,7 +16,7 @@ constexpr int kRows = 4;
 /// Runs of random length, gap and range; those of the last row are far beyond what keys tell apart.
 RowRuns randomRuns(unsigned seed) {
   std::mt19937 random(seed);
-  std::uniform_real_distribution<float> range(1.0f, 60.0f), depth(0.0f, 3.0f), reach(0.1f, 1.0f);
+  std::uniform_real_distribution<float> range(1.0f, 60.0f), depth(0.0f, 3.0f);
   std::uniform_int_distribution<std::int32_t> length(0, 6), gap(0, 20);
   RowRuns runs;
   runs.rowBegin.assign(1, 0);
@@ -29,12 +29,19 @@ RowRuns randomRuns(unsigned seed) {
       runs.lastColumn.push_back(column++);
       runs.nearest.push_back(range(random) + (row == kRows - 1 ? 600.0f : 0.0f));
       runs.farthest.push_back(runs.nearest.back() + depth(random));
-      runs.reaches.horizontal.push_back(reach(random));
-      runs.reaches.vertical.push_back(reach(random));
     }
     runs.rowBegin.push_back(static_cast<std::int32_t>(runs.begin.size()));
   }
   return runs;
+}
+
+/// Rules whose surfaces reach 0.5 m.
+LinkRules rulesOf() {
+  ObjectOptions options;
+  options.surfaceDistance = 0.5;
+  RangeImage image;
+  image.rows = kRows, image.columns = kColumns;
+  return LinkRules(options, image);
 }
 
 bool reaches(const RowRuns& runs, std::size_t from, std::size_t to, float distance) {
@@ -69,8 +76,9 @@ TEST(RunColumns, FindsEveryRunThatTouchesTheColumns) {
 TEST(RunKeys, TellRunsInReachFromOthers) {
   const RowRuns runs = randomRuns(2);
   const auto count = static_cast<std::int32_t>(runs.size());
+  const LinkRules rules = rulesOf();
   RunKeys keys;
-  keys.build(runs, 0.5f);
+  keys.build(runs, rules);
   for (std::int32_t run = 0; run < count; ++run) keys.setSet(run, run % 3);
   std::size_t refused = 0;
   for (std::int32_t a = 0; a < count; a += 5) {
@@ -79,7 +87,7 @@ TEST(RunKeys, TellRunsInReachFromOthers) {
         keys.betweenRows(a, a % 3, runs.firstColumn[from], runs.lastColumn[from]);
     for (std::int32_t b = 0; b < count; ++b) {
       const auto to = static_cast<std::size_t>(b);
-      const bool close = reaches(runs, from, to, runs.reaches.vertical[from]);
+      const bool close = reaches(runs, from, to, rules.vertical.at(runs.farthest[from]));
       const bool beside = runs.firstColumn[to] <= runs.lastColumn[from] + 1 &&
                           runs.lastColumn[to] >= runs.firstColumn[from] - 1;
       const bool surface = beside && reaches(runs, from, to, 0.5f);
@@ -98,7 +106,7 @@ TEST(RunKeys, TellRunsInReachFromOthers) {
 TEST(RunKeys, DoNotTellSetsOfLargeNumbersApart) {
   const RowRuns runs = randomRuns(3);
   RunKeys keys;
-  keys.build(runs, 0.5f);
+  keys.build(runs, rulesOf());
   for (const std::int32_t set : {65533, 65534, 65535, 1 << 20}) {
     keys.setSet(0, set);
     const auto found = [&](std::int32_t own) {

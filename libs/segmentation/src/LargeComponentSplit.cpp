@@ -80,10 +80,8 @@ bool LargeComponentSplit::selectLarge(const NodeClustering& wholes) {
 
 void LargeComponentSplit::clusterAgain(const ObjectNodes& nodes, const LinkRules& rules,
                                        const NodeClustering& wholes) {
-  shortenReaches(nodes.reaches, factor_, reaches_);
-  LinkRules shorter = rules;
-  shorter.surfaceDistance *= factor_;
-  parts_.cluster(nodes, reaches_, shorter, wholes, selected_);
+  shortenWindows(nodes.windows, factor_, windows_);
+  parts_.cluster(nodes, windows_, rules.shortened(factor_), wholes, selected_);
   wholeOfPart_.resize(parts_.components().size());
   std::size_t part = 0;
   for (std::size_t run = 0; run < wholes.runs().size(); ++run) {

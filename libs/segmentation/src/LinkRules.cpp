@@ -28,20 +28,27 @@ LinkRules::LinkRules(const ObjectOptions& options, const RangeImage& image)
       maxHeightGap(static_cast<float>(options.maxHeightGap)),
       surfaceDistance(static_cast<float>(options.surfaceDistance)),
       surfaceDepth(static_cast<float>(options.surfaceDepth)),
-      options_(options),
-      horizontal_(distance(
-          options.horizontalDistance,
-          std::max(static_cast<float>(options.horizontalAngle), kColumnsSpanned * columnStep))),
-      vertical_(
-          distance(options.verticalDistance,
-                   std::max(static_cast<float>(options.verticalAngle), kRowsSpanned * rowStep))) {}
+      options_(options) {
+  horizontal =
+      distance(options.horizontalDistance,
+               std::max(static_cast<float>(options.horizontalAngle), kColumnsSpanned * columnStep));
+  vertical = distance(options.verticalDistance,
+                      std::max(static_cast<float>(options.verticalAngle), kRowsSpanned * rowStep));
+}
 
 LinkRules::Distance LinkRules::distance(double base, float angle) const {
   if (options_.metric == LinkMetric::Constant) {
-    return {0.0f, static_cast<float>(base), static_cast<float>(base)};
+    return {0.0f, static_cast<float>(base), static_cast<float>(base), 1.0f};
   }
   return {angle, static_cast<float>(options_.nearFactor * base),
-          static_cast<float>(options_.farFactor * base)};
+          static_cast<float>(options_.farFactor * base), 1.0f};
+}
+
+LinkRules LinkRules::shortened(float factor) const {
+  LinkRules shorter = *this;
+  shorter.horizontal.factor *= factor, shorter.vertical.factor *= factor;
+  shorter.surfaceDistance *= factor;
+  return shorter;
 }
 
 int LinkRules::returnsOn(double size, float range) const {

@@ -6,21 +6,21 @@
 namespace toss {
 
 void NodeClustering::cluster(const ObjectNodes& nodes, const LinkRules& rules) {
-  runs_.build(nodes);
-  link(nodes, nodes.reaches, rules);
+  runs_.build(nodes, rules);
+  link(nodes, nodes.windows, rules);
 }
 
-void NodeClustering::cluster(const ObjectNodes& nodes, const NodeReaches& reaches,
+void NodeClustering::cluster(const ObjectNodes& nodes, const NodeWindows& windows,
                              const LinkRules& rules, const NodeClustering& whole,
                              const std::vector<std::uint8_t>& selected) {
-  runs_.build(nodes, reaches, whole.runs(), selected);
-  link(nodes, reaches, rules);
+  runs_.build(nodes, windows, rules, whole.runs(), selected);
+  link(nodes, windows, rules);
 }
 
-void NodeClustering::link(const ObjectNodes& nodes, const NodeReaches& reaches,
+void NodeClustering::link(const ObjectNodes& nodes, const NodeWindows& windows,
                           const LinkRules& rules) {
   sets_.reset(runs_.size());
-  RunLinking linking(nodes, reaches, runs_, rules, search_, sets_);
+  RunLinking linking(nodes, windows, runs_, rules, search_, sets_);
   for (int row = 0; row < nodes.rows(); ++row) linking.linkRow(row);
   componentOfRun_.resize(runs_.size());
   components_.clear();

@@ -127,24 +127,22 @@ void findRanges(const float* __restrict x, const float* __restrict y, std::size_
 }
 
 TOSS_ALSO_FOR_AVX2
-void findReaches(const LinkRules& rules, const float* __restrict range, std::size_t n,
-                 float* __restrict horizontal, float* __restrict vertical,
+void findWindows(const LinkRules& rules, const float* __restrict range, std::size_t n,
                  std::int32_t* __restrict window) {
   const LinkRules held = rules;
-  for (std::size_t i = 0; i < n; ++i) {
-    const LinkRules::Reach reach = held.reach(range[i]);
-    horizontal[i] = reach.horizontal, vertical[i] = reach.vertical, window[i] = reach.window;
-  }
+  for (std::size_t i = 0; i < n; ++i) window[i] = held.reach(range[i]).window;
 }
 
+/// One column of a window is for returns that lie anywhere in their pixels, whatever the reach.
 TOSS_ALSO_FOR_AVX2
-void shortenAll(const float* __restrict distance, std::size_t n, float factor,
-                float* __restrict result) {
-  for (std::size_t i = 0; i < n; ++i) result[i] = distance[i] * factor;
-}
-
-void resize(NodeReaches& reaches, std::size_t n) {
-  reaches.horizontal.resize(n), reaches.vertical.resize(n), reaches.window.resize(n);
+void shortenAll(const std::int32_t* __restrict window, std::size_t n, float factor,
+                std::int32_t* __restrict result) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const float columns = factor * static_cast<float>(window[i] - 1);
+    const auto whole = static_cast<std::int32_t>(columns);
+    const std::int32_t roundedUp = whole + (static_cast<float>(whole) < columns ? 1 : 0);
+    result[i] = std::min(window[i], roundedUp + 1);
+  }
 }
 
 }  // namespace
@@ -170,24 +168,13 @@ void gatherNodes(const LevelPoints& points, const RangeImage& image,
   takeCoordinates(points, result);
   result.range.resize(n);
   findRanges(result.x.data(), result.y.data(), n, result.range.data());
-  resize(result.reaches, n);
-  findReaches(rules, result.range.data(), n, result.reaches.horizontal.data(),
-              result.reaches.vertical.data(), result.reaches.window.data());
+  result.windows.resize(n);
+  findWindows(rules, result.range.data(), n, result.windows.data());
 }
 
-void shortenReaches(const NodeReaches& reaches, float factor, NodeReaches& result) {
-  const std::size_t n = reaches.window.size();
-  resize(result, n);
-  shortenAll(reaches.horizontal.data(), n, factor, result.horizontal.data());
-  shortenAll(reaches.vertical.data(), n, factor, result.vertical.data());
-  // One column of the window is for returns that lie anywhere in their pixels, whatever the reach.
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::int32_t window = reaches.window[i];
-    const float columns = factor * static_cast<float>(window - 1);
-    const auto whole = static_cast<std::int32_t>(columns);
-    const std::int32_t roundedUp = whole + (static_cast<float>(whole) < columns ? 1 : 0);
-    result.window[i] = std::min(window, roundedUp + 1);
-  }
+void shortenWindows(const NodeWindows& windows, float factor, NodeWindows& result) {
+  result.resize(windows.size());
+  shortenAll(windows.data(), windows.size(), factor, result.data());
 }
 
 }  // namespace toss

@@ -14,12 +14,13 @@ std::size_t at(std::int32_t index) {
 // The compiler vectorises this only as a function of arrays that are known not to overlap.
 TOSS_ALSO_FOR_AVX2
 void linkNeighbours(const float* __restrict x, const float* __restrict y,
-                    const std::int32_t* __restrict column, const float* __restrict distance,
+                    const float* __restrict range, const std::int32_t* __restrict column,
                     const std::int32_t* __restrict window, std::size_t n,
-                    std::uint8_t* __restrict linked) {
+                    const LinkRules::Distance& distance, std::uint8_t* __restrict linked) {
+  const LinkRules::Distance held = distance;
   for (std::size_t i = 1; i < n; ++i) {
     const float dx = x[i] - x[i - 1], dy = y[i] - y[i - 1];
-    const float limit = std::min(distance[i], distance[i - 1]);
+    const float limit = held.at(std::min(range[i], range[i - 1]));
     const std::int32_t columns = std::min(window[i], window[i - 1]);
     const bool near = dx * dx + dy * dy < limit * limit;
     linked[i] = static_cast<std::uint8_t>(near & (column[i] - column[i - 1] <= columns));
@@ -33,33 +34,34 @@ void RowRuns::clear() {
   rowBegin.assign(1, 0);
 }
 
-void RowRuns::findLinks(const ObjectNodes& nodes, const NodeReaches& nodeReaches) {
+void RowRuns::findLinks(const ObjectNodes& nodes, const NodeWindows& windows,
+                        const LinkRules& rules) {
   linked_.resize(nodes.size());
-  linkNeighbours(nodes.x.data(), nodes.y.data(), nodes.column.data(), nodeReaches.horizontal.data(),
-                 nodeReaches.window.data(), nodes.size(), linked_.data());
+  linkNeighbours(nodes.x.data(), nodes.y.data(), nodes.range.data(), nodes.column.data(),
+                 windows.data(), nodes.size(), rules.horizontal, linked_.data());
 }
 
-void RowRuns::build(const ObjectNodes& nodes) {
+void RowRuns::build(const ObjectNodes& nodes, const LinkRules& rules) {
   clear();
-  findLinks(nodes, nodes.reaches);
+  findLinks(nodes, nodes.windows, rules);
   for (std::size_t row = 0; row + 1 < nodes.rowBegin.size(); ++row) {
     cut(nodes.rowBegin[row], nodes.rowBegin[row + 1]);
     rowBegin.push_back(static_cast<std::int32_t>(size()));
   }
-  measure(nodes, nodes.reaches);
+  measure(nodes, nodes.windows);
 }
 
-void RowRuns::build(const ObjectNodes& nodes, const NodeReaches& shorter, const RowRuns& whole,
-                    const std::vector<std::uint8_t>& selected) {
+void RowRuns::build(const ObjectNodes& nodes, const NodeWindows& windows, const LinkRules& rules,
+                    const RowRuns& whole, const std::vector<std::uint8_t>& selected) {
   clear();
-  findLinks(nodes, shorter);
+  findLinks(nodes, windows, rules);
   for (std::size_t row = 0; row + 1 < whole.rowBegin.size(); ++row) {
     for (std::int32_t run = whole.rowBegin[row]; run < whole.rowBegin[row + 1]; ++run) {
       if (selected[at(run)] != 0) cut(whole.begin[at(run)], whole.end[at(run)]);
     }
     rowBegin.push_back(static_cast<std::int32_t>(size()));
   }
-  measure(nodes, shorter);
+  measure(nodes, windows);
 }
 
 /// Without branches, as no one could foretell where runs end.
@@ -78,21 +80,20 @@ void RowRuns::cut(std::int32_t first, std::int32_t last) {
   begin.resize(run + 1), end.resize(run + 1);
 }
 
-void RowRuns::measure(const ObjectNodes& nodes, const NodeReaches& nodeReaches) {
+void RowRuns::measure(const ObjectNodes& nodes, const NodeWindows& windows) {
   const std::size_t n = size();
   firstColumn.resize(n), lastColumn.resize(n);
-  nearest.resize(n), farthest.resize(n), lowest.resize(n), measures.resize(n);
-  reaches.horizontal.resize(n), reaches.vertical.resize(n), reaches.window.resize(n);
+  nearest.resize(n), farthest.resize(n), lowest.resize(n), measures.resize(n), window.resize(n);
   widest = 0;
   for (std::size_t run = 0; run < n; ++run) {
     const std::size_t first = at(begin[run]), last = at(end[run]);
     firstColumn[run] = nodes.column[first], lastColumn[run] = nodes.column[last - 1];
-    measureRun(nodes, nodeReaches, run, first, last);
-    widest = std::max(widest, reaches.window[run]);
+    measureRun(nodes, windows, run, first, last);
+    widest = std::max(widest, window[run]);
   }
 }
 
-void RowRuns::measureRun(const ObjectNodes& nodes, const NodeReaches& nodeReaches, std::size_t run,
+void RowRuns::measureRun(const ObjectNodes& nodes, const NodeWindows& windows, std::size_t run,
                          std::size_t first, std::size_t last) {
   const auto ofNode = [&](std::size_t i) {
     return Component{nodes.returns[i], nodes.range[i], nodes.x[i],
@@ -100,19 +101,14 @@ void RowRuns::measureRun(const ObjectNodes& nodes, const NodeReaches& nodeReache
   };
   Component whole = ofNode(first);
   float low = nodes.z[first], far = nodes.range[first];
-  float horizontal = nodeReaches.horizontal[first], vertical = nodeReaches.vertical[first];
-  std::int32_t window = nodeReaches.window[first];
+  std::int32_t columns = windows[first];
   for (std::size_t i = first + 1; i < last; ++i) {
     whole.merge(ofNode(i));
     low = std::min(low, nodes.z[i]);
     far = std::max(far, nodes.range[i]);
-    horizontal = std::max(horizontal, nodeReaches.horizontal[i]);
-    vertical = std::max(vertical, nodeReaches.vertical[i]);
-    window = std::max(window, nodeReaches.window[i]);
+    columns = std::max(columns, windows[i]);
   }
-  nearest[run] = whole.nearest, farthest[run] = far, lowest[run] = low;
-  reaches.horizontal[run] = horizontal, reaches.vertical[run] = vertical;
-  reaches.window[run] = window;
+  nearest[run] = whole.nearest, farthest[run] = far, lowest[run] = low, window[run] = columns;
   measures[run] = whole;
 }
 

@@ -13,12 +13,13 @@ std::uint16_t keyOfRange(float range) {
 }
 
 // The compiler vectorises this only as a function of arrays that are known not to overlap.
-void findRings(const float* __restrict nearest, const float* __restrict farthest,
-               const float* __restrict distance, std::size_t n,
-               std::uint16_t* __restrict ringNearest, std::uint16_t* __restrict ringFarthest) {
+void findRings(const float* __restrict nearest, const float* __restrict farthest, std::size_t n,
+               const LinkRules::Distance& distance, std::uint16_t* __restrict ringNearest,
+               std::uint16_t* __restrict ringFarthest) {
+  const LinkRules::Distance held = distance;
   for (std::size_t i = 0; i < n; ++i) {
     // A hair more, for rounding.
-    const float limit = 1.001f * distance[i] + 1e-4f;
+    const float limit = 1.001f * held.at(farthest[i]) + 1e-4f;
     ringNearest[i] = keyOfRange(nearest[i] - limit);
     ringFarthest[i] = keyOfRange(farthest[i] + limit);
   }
@@ -26,22 +27,24 @@ void findRings(const float* __restrict nearest, const float* __restrict farthest
 
 }  // namespace
 
-void RunKeys::buildRings(const RowRuns& runs, const std::vector<float>& distance, Rings& rings) {
+void RunKeys::buildRings(const RowRuns& runs, const LinkRules::Distance& distance, Rings& rings) {
   const std::size_t n = runs.size(), padded = n + static_cast<std::size_t>(kLanes);
   rings.nearest.resize(padded), rings.farthest.resize(padded);
-  findRings(runs.nearest.data(), runs.farthest.data(), distance.data(), n, rings.nearest.data(),
+  findRings(runs.nearest.data(), runs.farthest.data(), n, distance, rings.nearest.data(),
             rings.farthest.data());
 }
 
-void RunKeys::build(const RowRuns& runs, float surface) {
+void RunKeys::build(const RowRuns& runs, const LinkRules& rules) {
+  const auto constant = [](float distance) {
+    return LinkRules::Distance{0.0f, distance, distance, 1.0f};
+  };
+  buildRings(runs, constant(0.0f), own_);
+  buildRings(runs, constant(rules.surfaceDistance), surface_);
+  buildRings(runs, rules.horizontal, horizontal_);
+  buildRings(runs, rules.vertical, vertical_);
   const std::size_t n = runs.size(), padded = n + static_cast<std::size_t>(kLanes);
-  constant_.assign(n, 0.0f);
-  buildRings(runs, constant_, own_);
-  constant_.assign(n, surface);
-  buildRings(runs, constant_, surface_);
-  buildRings(runs, runs.reaches.horizontal, horizontal_);
-  buildRings(runs, runs.reaches.vertical, vertical_);
-  firstColumn_.resize(padded), lastColumn_.resize(padded), set_.resize(padded);
+  firstColumn_.resize(padded), lastColumn_.resize(padded);
+  set_.resize(padded);
   for (std::size_t run = 0; run < n; ++run) {
     firstColumn_[run] = ofColumn(runs.firstColumn[run]);
     lastColumn_[run] = ofColumn(runs.lastColumn[run]);

@@ -14,20 +14,19 @@ constexpr std::int32_t kShort = 16;
 
 }  // namespace
 
-RunLinking::RunLinking(const ObjectNodes& nodes, const NodeReaches& reaches, const RowRuns& runs,
+RunLinking::RunLinking(const ObjectNodes& nodes, const NodeWindows& windows, const RowRuns& runs,
                        const LinkRules& rules, RunSearch& search, UnionFind& sets)
     : nodes_(nodes),
-      reaches_(reaches),
+      windows_(windows),
       runs_(runs),
       rules_(rules),
       search_(search),
       sets_(sets),
-      within_{reaches.horizontal.data(), runs.reaches.horizontal.data(), kUnlimited, 0.0f},
-      nextRow_{reaches.vertical.data(), runs.reaches.vertical.data(), kUnlimited,
-               rules.surfaceDistance},
-      fartherRow_{reaches.vertical.data(), runs.reaches.vertical.data(), rules.maxHeightGap, 0.0f} {
+      within_{rules.horizontal, kUnlimited, 0.0f},
+      nextRow_{rules.vertical, kUnlimited, rules.surfaceDistance},
+      fartherRow_{rules.vertical, rules.maxHeightGap, 0.0f} {
   search_.columns.build(runs, rules.columns);
-  search_.keys.build(runs, rules.surfaceDistance);
+  search_.keys.build(runs, rules);
 }
 
 RunLinking::Span RunLinking::runsOf(int row) const {
@@ -69,12 +68,12 @@ void RunLinking::noteSets(Span runs) {
 void RunLinking::linkUpwards(Span runs, int row, Index shift) {
   for (Index a = runs.begin; a < runs.end; ++a) {
     const Index first = runs_.firstColumn[at(a)] - shift, last = runs_.lastColumn[at(a)] - shift;
-    const Index window = runs_.reaches.window[at(a)];
+    const Index window = runs_.window[at(a)];
     const RunColumns::Steps columns = search_.columns.stepsOf(first - window, last + window);
     Index root = sets_.find(a);
     RunVicinity vicinity = search_.keys.betweenRows(a, root, first, last);
-    const bool surface =
-        runs_.lowest[at(a)] <= -rules_.surfaceDepth && nextRow_.ofRun[a] < nextRow_.surface;
+    const bool surface = runs_.lowest[at(a)] <= -rules_.surfaceDepth &&
+                         nextRow_.distance.at(runs_.farthest[at(a)]) < nextRow_.surface;
     for (int upper = row - 1; upper >= std::max(0, row - rules_.rowWindow); --upper) {
       const Span others = search_.columns.touching(upper, columns);
       if (upper == row - 1 && surface) {
@@ -90,7 +89,7 @@ void RunLinking::linkUpwards(Span runs, int row, Index shift) {
 void RunLinking::linkWithin(Span runs, int row, Index shift) {
   for (Index a = runs.begin; a < runs.end; ++a) {
     const Index first = runs_.firstColumn[at(a)] - shift, last = runs_.lastColumn[at(a)] - shift;
-    const Index window = runs_.reaches.window[at(a)];
+    const Index window = runs_.window[at(a)];
     Span others =
         search_.columns.touching(row, search_.columns.stepsOf(first - window, last + window));
     if (shift == 0) others.begin = a + 1;
@@ -156,13 +155,14 @@ bool RunLinking::apart(Index a, Index b, const Limits& limits) const {
   const Component& other = runs_.measures[at(b)];
   const float dx = std::max(std::max(one.minX - other.maxX, other.minX - one.maxX), 0.0f);
   const float dy = std::max(std::max(one.minY - other.maxY, other.minY - one.maxY), 0.0f);
-  const float limit = std::max(std::min(limits.ofRun[a], limits.ofRun[b]), limits.surface);
+  const float longest = limits.distance.at(std::min(runs_.farthest[at(a)], runs_.farthest[at(b)]));
+  const float limit = std::max(longest, limits.surface);
   return dx * dx + dy * dy >= limit * limit;
 }
 
 bool RunLinking::touches(Index a, Index b, const Limits& limits, Index shift) const {
   const Index* const column = nodes_.column.data();
-  const Index window = std::min(runs_.reaches.window[at(a)], runs_.reaches.window[at(b)]);
+  const Index window = std::min(runs_.window[at(a)], runs_.window[at(b)]);
   const Index last = runs_.lastColumn[at(b)] + shift + window;
   const Index endOfA = runs_.end[at(a)], endOfB = runs_.end[at(b)];
   // Runs are mostly short: only in long ones is the first node in reach searched for.
@@ -191,8 +191,8 @@ bool RunLinking::linkedNodes(std::size_t a, std::size_t b, const Limits& limits,
                              Index columnGap) const {
   const float dx = nodes_.x[a] - nodes_.x[b], dy = nodes_.y[a] - nodes_.y[b];
   const float squared = dx * dx + dy * dy;
-  const float limit = std::min(limits.ofNode[a], limits.ofNode[b]);
-  const Index window = std::min(reaches_.window[a], reaches_.window[b]);
+  const float limit = limits.distance.at(std::min(nodes_.range[a], nodes_.range[b]));
+  const Index window = std::min(windows_[a], windows_[b]);
   // Without branches, as no one could foretell them.
   const bool near = (squared < limit * limit) & (columnGap <= window) &
                     (std::abs(nodes_.z[a] - nodes_.z[b]) <= limits.height);

@@ -16,9 +16,9 @@ namespace toss {
 /// and ring closure, between rows its vertical merge, both also across the rear seam.
 class RunLinking {
  public:
-  /// `reaches`: those of the nodes by which `runs` were cut; `search`: buffers. All references must
+  /// `windows`: those of the nodes by which `runs` were cut; `search`: buffers. All references must
   /// outlive this.
-  RunLinking(const ObjectNodes& nodes, const NodeReaches& reaches, const RowRuns& runs,
+  RunLinking(const ObjectNodes& nodes, const NodeWindows& windows, const RowRuns& runs,
              const LinkRules& rules, RunSearch& search, UnionFind& sets);
 
   /// Unites the runs of `row` with each other and with those of the rows above that links reach.
@@ -27,10 +27,10 @@ class RunLinking {
  private:
   using Index = std::int32_t;
   using Span = RunColumns::Span;
-  /// What holds for links of two rows: link distances of nodes and of runs [m], limit of the
-  /// height difference [m] and surface distance [m].
+  /// What holds for links of two rows: link distance, limit of the height difference [m] and
+  /// surface distance [m].
   struct Limits {
-    const float *ofNode, *ofRun;
+    LinkRules::Distance distance;
     float height, surface;
   };
   static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
@@ -57,7 +57,7 @@ class RunLinking {
   bool linkedNodes(std::size_t a, std::size_t b, const Limits& limits, Index columnGap) const;
 
   const ObjectNodes& nodes_;
-  const NodeReaches& reaches_;
+  const NodeWindows& windows_;
   const RowRuns& runs_;
   const LinkRules& rules_;
   RunSearch& search_;

@@ -54,7 +54,7 @@ class LargeComponentSplit {
 
   float extent_, factor_;
   NodeClustering parts_;
-  NodeReaches reaches_;
+  NodeWindows windows_;
   /// Whether each run of the wholes is clustered again.
   std::vector<std::uint8_t> selected_;
   std::vector<std::int32_t> wholeOfPart_;

@@ -24,6 +24,13 @@ class LinkRules {
   /// Steps are taken from the image: 2 pi / columns, and the mean distance of its rows.
   LinkRules(const ObjectOptions& options, const RangeImage& image);
 
+  /// Link distance [m]: range times angle, within bounds, and then times a factor. It grows with
+  /// range.
+  struct Distance {
+    float angle, least, most, factor;
+    float at(float range) const { return factor * std::min(std::max(range * angle, least), most); }
+  };
+
   /// What a return at one range reaches.
   struct Reach {
     /// Link distances [m] within a row and between rows.
@@ -33,9 +40,11 @@ class LinkRules {
   };
   /// `range`: horizontal distance from the sensor [m].
   Reach reach(float range) const {
-    const float within = horizontal_.at(range), between = vertical_.at(range);
+    const float within = horizontal.at(range), between = vertical.at(range);
     return {within, between, columnsSpanned(std::max(within, between), range)};
   }
+  /// The same rules with all link distances times `factor`.
+  LinkRules shortened(float factor) const;
 
   /// Columns and rows that a distance [m] spans at most at `range` [m]; up to half the columns.
   std::int32_t columnsSpanned(float distance, float range) const {
@@ -55,13 +64,10 @@ class LinkRules {
   int rows, columns, rowWindow;
   /// [m]
   float maxHeightGap, surfaceDistance, surfaceDepth;
+  /// Link distances within a row, and between rows.
+  Distance horizontal, vertical;
 
  private:
-  /// Link distance: range times angle, within bounds.
-  struct Distance {
-    float angle, least, most;
-    float at(float range) const { return std::min(std::max(range * angle, least), most); }
-  };
   Distance distance(double base, float angle) const;
   int returnsOn(double size, float range) const;
 
@@ -73,7 +79,6 @@ class LinkRules {
   }
 
   ObjectOptions options_;
-  Distance horizontal_, vertical_;
 };
 
 }  // namespace toss

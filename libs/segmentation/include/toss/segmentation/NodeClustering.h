@@ -21,8 +21,8 @@ class NodeClustering {
   /// Clusters all nodes.
   void cluster(const ObjectNodes& nodes, const LinkRules& rules);
   /// Clusters the nodes of those runs of `whole` that are `selected` (shape [whole.runs().size()])
-  /// with shorter `reaches`.
-  void cluster(const ObjectNodes& nodes, const NodeReaches& reaches, const LinkRules& rules,
+  /// by shortened `rules` and the `windows` that go with them.
+  void cluster(const ObjectNodes& nodes, const NodeWindows& windows, const LinkRules& rules,
                const NodeClustering& whole, const std::vector<std::uint8_t>& selected);
 
   const RowRuns& runs() const { return runs_; }
@@ -32,7 +32,7 @@ class NodeClustering {
   const std::vector<Component>& components() const { return components_; }
 
  private:
-  void link(const ObjectNodes& nodes, const NodeReaches& reaches, const LinkRules& rules);
+  void link(const ObjectNodes& nodes, const NodeWindows& windows, const LinkRules& rules);
 
   RowRuns runs_;
   RunSearch search_;

@@ -11,13 +11,8 @@
 
 namespace toss {
 
-/// LinkRules::Reach of each node, struct of arrays.
-struct NodeReaches {
-  /// Link distances [m] within a row and between rows, shape [nodes].
-  std::vector<float> horizontal, vertical;
-  /// Columns within which a linked node must lie, shape [nodes].
-  std::vector<std::int32_t> window;
-};
+/// LinkRules::Reach::window of each node, shape [nodes].
+using NodeWindows = std::vector<std::int32_t>;
 
 /// All nodes of a scan, row by row from the top and by column within a row: a node is one surface
 /// seen in one pixel, and what is clustered. Returns of a pixel that lie on one surface share a
@@ -29,7 +24,7 @@ struct ObjectNodes {
   /// Column in the range image, index of the point that stands for the node, and number of returns
   /// that share it, shape [nodes].
   std::vector<std::int32_t> column, point, returns;
-  NodeReaches reaches;
+  NodeWindows windows;
   /// Nodes of row r are rowBegin[r] .. rowBegin[r + 1] - 1, shape [rows + 1].
   std::vector<std::int32_t> rowBegin;
   /// 1 for returns that are nodes or mates, else 0, shape [returns, and zeros up to full blocks of
@@ -50,7 +45,7 @@ void gatherNodes(const LevelPoints& points, const RangeImage& image,
                  const Segmentation& segmentation, const LinkRules& rules, float pixelMerge,
                  ObjectNodes& result);
 
-/// Link distances times `factor`, and the windows that go with them.
-void shortenReaches(const NodeReaches& reaches, float factor, NodeReaches& result);
+/// Windows for link distances times `factor`.
+void shortenWindows(const NodeWindows& windows, float factor, NodeWindows& result);
 
 }  // namespace toss

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <toss/segmentation/LinkRules.h>
 #include <toss/segmentation/RowRuns.h>
 
 #include <algorithm>
@@ -41,8 +42,7 @@ class RunKeys {
   /// Runs that are looked at in one go.
   static constexpr std::int32_t kLanes = 8;
 
-  /// `surface`: greatest distance of runs of one surface [m].
-  void build(const RowRuns& runs, float surface);
+  void build(const RowRuns& runs, const LinkRules& rules);
 
   /// Vicinity of a run in its own row and in other rows. `set`: its own; `first`, `last`: its
   /// columns.
@@ -93,13 +93,12 @@ class RunKeys {
   static std::uint16_t ofColumn(std::int32_t column) {
     return static_cast<std::uint16_t>(std::min(std::max(column, 0), 65535));
   }
-  static void buildRings(const RowRuns& runs, const std::vector<float>& distance, Rings& rings);
+  static void buildRings(const RowRuns& runs, const LinkRules::Distance& distance, Rings& rings);
 
   /// Ranges of the runs, and those that their link distances reach.
   Rings own_, horizontal_, vertical_, surface_;
   /// Shape [runs + kLanes].
   std::vector<std::uint16_t> firstColumn_, lastColumn_, set_;
-  std::vector<float> constant_;
 };
 
 #ifdef __SSE2__
