@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VoxelTiles.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,6 +14,17 @@ namespace {
 
 /// Calls of leaveBehind() for which a tile stays that was needed: labels are revised in bursts.
 constexpr std::uint64_t kCallsToStay = 50;
+
+/// Bytes of tiles put into the store after which their memory goes back to the system: the C
+/// library keeps what lies between pieces still needed, and to look for it all takes some
+/// milliseconds.
+constexpr std::size_t kBytesToGiveBack = std::size_t{32} << 20;
+
+void giveBackToSystem() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
 
 }  // namespace
 
@@ -116,8 +131,12 @@ void VoxelTiles::leaveBehind(const std::array<double, 3>& place, double radius) 
     tile.blocks->save(bytes_);
     store_->store(tilePlace, bytes_);
     tile.sizeInStore = tile.blocks->size();
+    givenUp_ += tile.blocks->bytes();
     tile.blocks.reset();
   }
+  if (givenUp_ < kBytesToGiveBack) return;
+  giveBackToSystem();
+  givenUp_ = 0;
 }
 
 std::size_t VoxelTiles::tilesInMemory() const {

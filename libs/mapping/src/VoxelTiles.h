@@ -72,6 +72,8 @@ class VoxelTiles {
   /// By placeOf().
   std::map<std::uint64_t, Tile> tiles_;
   std::uint64_t calls_ = 0;
+  /// Bytes of tiles put into the store since their memory went back to the system.
+  std::size_t givenUp_ = 0;
   std::vector<std::uint8_t> bytes_;
 };
 
