@@ -10,7 +10,7 @@ struct DecisionOptions : Options {
   /// An instance of which this share is seen through moves, whatever its trace did.
   double freeShare = 0.4;
   /// The same for a trace, over all its instances.
-  double traceFreeShare = 0.35;
+  double traceFreeShare = 0.3;
   /// A trace that moved weakly counts as Strong from this share on: both kinds of evidence agree.
   double confirmFreeShare = 0.15;
   /// Share for the live label, where only past views testify.
@@ -33,7 +33,7 @@ struct DecisionOptions : Options {
   /// Margin by which the box of a moving trace holds residue: ground, and what stands close beside
   /// it [m]. Residue moves where nothing that is static was ever measured in its place, see
   /// StaticMap::holds(). 0 = there is no residue.
-  double residueMargin = 0.2;
+  double residueMargin = 0.25;
   /// An instance with fewer returns than this that lies in the box of a trace moves with it, unless
   /// it is clearly measured again.
   int fragmentPoints = 15;
