@@ -8,6 +8,7 @@
 
 #include <limits>
 
+#include "GroundLabeling.h"
 #include "NodeSorting.h"
 
 namespace toss {
@@ -17,8 +18,6 @@ constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 /// Distance from the surface up to which returns take part in the first and in later rounds [m]:
 /// the planes of whole triangles are off by more than the model that replaces them.
 constexpr float kFirstGate = 0.4f, kGate = 0.2f;
-/// Ground returns that make a triangle ground which a beam can't pass through.
-constexpr std::int32_t kGroundReturns = 3;
 
 }  // namespace
 
@@ -37,13 +36,6 @@ struct GroundSegmentation::Implementation {
   void fitNodes();
   void fitTerrain(const LevelPoints& points, const RangeImage& image);
   void copyToFine();
-  void labelNode(int place, Segmentation& segmentation);
-  void labelPoints(const LevelPoints& points, Segmentation& segmentation);
-
-  struct BuriedReturn {
-    std::int32_t point;
-    float shareAbove;
-  };
 
   GroundOptions options;
   int subdivision;
@@ -52,11 +44,9 @@ struct GroundSegmentation::Implementation {
   NodeSorting sorted;
   GroundNodeFit nodeFit;
   TerrainFit terrain;
+  GroundLabeling labeling;
   ContactPoints contacts;
   VertexHeights heights, fineHeights;
-  /// Ground returns in each fine node, and returns that may lie below the ground.
-  std::vector<std::int32_t> groundReturns;
-  std::vector<BuriedReturn> buried;
 };
 
 void GroundSegmentation::Implementation::fitNodes() {
@@ -103,54 +93,6 @@ void GroundSegmentation::Implementation::fitTerrain(const LevelPoints& points,
   }
 }
 
-/// Classes of the returns of one fine node. Those that may lie below the ground are noted.
-void GroundSegmentation::Implementation::labelNode(int place, Segmentation& segmentation) {
-  const GroundNode& node = fineNodes[static_cast<std::size_t>(sorted.fineAtPlace(place))];
-  const auto above = static_cast<float>(options.groundHeight);
-  const auto below = -static_cast<float>(options.outlierDepth);
-  const NodePoints points = sorted.atPlace(place);
-  std::int32_t found = 0;
-  for (std::size_t i = 0; i < points.count; ++i) {
-    const float height = node.heightOf(points[i].x, points[i].y, points[i].z);
-    const auto point = static_cast<std::size_t>(points[i].original);
-    const bool isGround = (height < above) & (height >= below);
-    // Without a branch, as no one could foretell on which side of the limit a return lies.
-    segmentation.heightAboveGround[point] = height;
-    segmentation.pointClass[point] = isGround ? PointClass::Ground : PointClass::Unclustered;
-    found += isGround ? 1 : 0;
-    if (height < below && node.offset > 0.0f) {
-      // The sensor is `offset` above the plane, so this share of the beam runs above it.
-      buried.push_back({points[i].original, node.offset / (node.offset - height)});
-    }
-  }
-  groundReturns[static_cast<std::size_t>(sorted.fineAtPlace(place))] += found;
-}
-
-void GroundSegmentation::Implementation::labelPoints(const LevelPoints& points,
-                                                     Segmentation& segmentation) {
-  groundReturns.assign(fineNodes.size(), 0);
-  buried.clear();
-  for (const int place : sorted.occupied()) {
-    if (fineNodes[static_cast<std::size_t>(sorted.fineAtPlace(place))].isGround()) {
-      labelNode(place, segmentation);
-    }
-  }
-  // A beam that has passed through ground which other beams have met was reflected. Where there is
-  // no such ground, it has gone down into a ditch or beyond an edge.
-  for (const BuriedReturn& back : buried) {
-    const auto point = static_cast<std::size_t>(back.point);
-    const Eigen::Vector3f beam(points.x[point], points.y[point], points.z[point]);
-    const float under = (1.0f - back.shareAbove) * beam.norm();
-    if (under < static_cast<float>(options.minBuriedPath)) continue;
-    const int node = fineField.nodeOf(beam.x() * back.shareAbove, beam.y() * back.shareAbove);
-    const bool throughGround =
-        node >= 0 && groundReturns[static_cast<std::size_t>(node)] >= kGroundReturns;
-    if (throughGround || options.minBuriedPath == 0.0) {
-      segmentation.pointClass[point] = PointClass::BelowGround;
-    }
-  }
-}
-
 GroundSegmentation::GroundSegmentation(const GroundOptions& options) {
   options.check();
   implementation_ = std::make_unique<Implementation>(options);
@@ -161,7 +103,6 @@ GroundSegmentation::GroundSegmentation(GroundSegmentation&&) noexcept = default;
 void GroundSegmentation::segment(const LevelPoints& points, const RangeImage& image,
                                  Segmentation& segmentation) {
   Implementation& stage = *implementation_;
-  segmentation.heightAboveGround.assign(points.x.size(), kUnknown);
   stage.sorted.sort(points, segmentation.pointClass);
   stage.fitNodes();
   searchTraversable(stage.field, stage.options, stage.nodes);
@@ -174,7 +115,8 @@ void GroundSegmentation::segment(const LevelPoints& points, const RangeImage& im
   } else {
     stage.fineNodes = stage.nodes;
   }
-  stage.labelPoints(points, segmentation);
+  stage.labeling.label(points, stage.sorted, stage.fineField, stage.fineNodes, stage.options,
+                       segmentation);
   stage.contacts.release(points, image, stage.options, segmentation);
 }
 

@@ -25,6 +25,11 @@ class NodeSorting {
   /// Returns of the fine node at a place. Places count the fine nodes, those of coarse node c being
   /// c * finePerCoarse() and following.
   NodePoints atPlace(int place) const { return between(place, place + 1); }
+  NodePoints ofFine(int node) const {
+    return atPlace(placeOfFine_[static_cast<std::size_t>(node)]);
+  }
+  /// Fine node of each return, -1 for those that were left out, shape [n].
+  const std::vector<std::int32_t>& nodeOfReturns() const { return node_; }
   int fineAtPlace(int place) const { return fineAtPlace_[static_cast<std::size_t>(place)]; }
   int finePerCoarse() const { return share_; }
   /// Places that hold returns, ascending.
@@ -54,7 +59,6 @@ class NodeSorting {
   const TriGridField& fine_;
   int share_;
   std::vector<std::int32_t> placeOfFine_, fineAtPlace_;
-  /// Fine node of each return, -1 for none, shape [n].
   std::vector<std::int32_t> node_;
   /// First return of each stretch, and the number of returns; and what is added to the index of a
   /// return of each to get where it is kept.
