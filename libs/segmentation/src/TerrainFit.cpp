@@ -45,6 +45,7 @@ TerrainFit::TerrainFit(const TriGridField& field) : field_(field) {
   for (int r = 0; r < side; ++r) {
     for (int c = 0; c < side; ++c) {
       const int m = centre(r, c);
+      stencilBegin_.push_back(static_cast<std::int32_t>(stencils_.size()));
       // A centre lies half-way between opposite corners ...
       stencils_.push_back({{corner(r, c), corner(r + 1, c + 1), m, m}, {1, 1, -2, 0}});
       stencils_.push_back({{corner(r + 1, c), corner(r, c + 1), m, m}, {1, 1, -2, 0}});
@@ -58,31 +59,7 @@ TerrainFit::TerrainFit(const TriGridField& field) : field_(field) {
       }
     }
   }
-}
-
-void TerrainFit::extend(VertexHeights& heights) {
-  sum_.assign(heights.size(), 0.0f);
-  count_.assign(heights.size(), 0.0f);
-  for (const Stencil& stencil : stencils_) {
-    // Without branches: what is known changes from stencil to stencil. The place is that of the
-    // unknown vertex if there is just one.
-    float rest = 0.0f;
-    std::size_t unknowns = 0, place = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const float factor = stencil.factors[i], height = heights[at(stencil.vertices[i])];
-      const bool isUnknown = std::isnan(height);
-      const auto missing = static_cast<std::size_t>(isUnknown & (factor != 0.0f));
-      unknowns += missing, place += missing * i;
-      rest += isUnknown ? 0.0f : factor * height;
-    }
-    if (unknowns != 1) continue;
-    const std::size_t unknown = at(stencil.vertices[place]);
-    sum_[unknown] -= rest / stencil.factors[place];
-    count_[unknown] += 1.0f;
-  }
-  for (std::size_t v = 0; v < heights.size(); ++v) {
-    if (count_[v] > 0.0f) heights[v] = sum_[v] / count_[v];
-  }
+  stencilBegin_.push_back(static_cast<std::int32_t>(stencils_.size()));
 }
 
 /// The corners of the triangle lie at a + b and a - b of the axis a towards its side, turned by 90

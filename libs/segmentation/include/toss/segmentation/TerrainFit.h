@@ -62,6 +62,8 @@ class TerrainFit {
     std::array<float, 4> factors;
   };
 
+  void markEdges(const VertexHeights& heights);
+  void continueAlong(const Stencil& stencil, const VertexHeights& heights);
   void activate(const VertexHeights& heights);
   std::int32_t unknownOf(std::int32_t vertex);
   void buildSystem(const VertexHeights& heights);
@@ -69,7 +71,9 @@ class TerrainFit {
   void iterate();
 
   const TriGridField& field_;
+  /// Those of one square after the other, and the first of each square, shape [squares + 1].
   std::vector<Stencil> stencils_;
+  std::vector<std::int32_t> stencilBegin_;
   std::vector<NodeSums> sums_;
 
   /// The system of the last selection: its unknowns are the vertices `vertexOf_`.
@@ -79,6 +83,8 @@ class TerrainFit {
   Picked picked_;
   /// Buffers of extend(), shape [vertices].
   std::vector<float> sum_, count_;
+  /// Vertices without a height, and squares at the edge of what is known; 1 or 0.
+  std::vector<std::uint8_t> unknown_, edges_;
 };
 
 }  // namespace toss
