@@ -33,7 +33,7 @@ struct DecisionOptions : Options {
   /// Margin by which the box of a moving trace holds residue: ground, and what stands close beside
   /// it [m]. Residue moves where nothing that is static was ever measured in its place, see
   /// StaticMap::holds(). 0 = there is no residue.
-  double residueMargin = 0.25;
+  double residueMargin = 0.2;
   /// An instance with fewer returns than this that lies in the box of a trace moves with it, unless
   /// it is clearly measured again.
   int fragmentPoints = 15;
