@@ -26,7 +26,7 @@ constexpr std::array<std::int32_t, 4> kLeast = {static_cast<std::int32_t>(Takes:
 [[gnu::always_inline]] inline void fill(ClaimBatch& batch, const ClaimSquares::Found* first,
                                         const ClaimSquares::Found* last,
                                         const LevelPoints& points) {
-  batch.start(static_cast<std::size_t>(last - first));
+  batch.start();
   for (std::size_t lane = 0; first != last; ++first, ++lane) {
     const auto i = static_cast<std::size_t>(first->point);
     batch.x[lane] = points.x[i], batch.y[lane] = points.y[i], batch.z[lane] = points.z[i];
@@ -117,9 +117,8 @@ void BoxClaims::takeClaims(const ClaimBatch& batch, const Found* first, const Fo
   for (std::int32_t e = firstEntry_[cell]; e >= 0;) {
     const Entry& entry = entries_[static_cast<std::size_t>(e)];
     const ClaimFootprint& footprint = footprints_[static_cast<std::size_t>(entry.box)];
-    batch.askOutright(footprint, entry.box, static_cast<std::int32_t>(entry.takes), margins_);
-    if (entry.takes == Takes::Residue && margins_.residue != 0.0f)
-      batch.askResidue(footprint, entry.box, margins_);
+    batch.ask(footprint, entry.box, static_cast<std::int32_t>(entry.takes),
+              entry.takes == Takes::Residue && margins_.residue != 0.0f, margins_);
     e = entry.next;
   }
 }

@@ -75,18 +75,22 @@ class OcclusionCount {
   float rangeOf(std::int32_t point) const { return image_.range[at(point)]; }
 
   /// Takes the returns of a row, after the last one in the place of the neighbour of the first
-  /// column: the row closes at the rear. Without branches, as no one could foretell which pixels
-  /// are empty. Returns how many there are.
+  /// column: the row closes at the rear. In one pass without branches, as no one could foretell
+  /// which pixels are empty. Returns how many there are.
   std::size_t takeRow(int row) {
     const std::int32_t* const points = image_.representative.data() + image_.pixel(row, 0);
+    const std::int32_t* const instances = segmentation_.instance.data();
+    std::int32_t *const point = point_.data(), *const where = column_.data();
+    std::int32_t* const instance = instance_.data();
+    const int columns = image_.columns;
     std::size_t n = 1;
-    for (int column = 0; column < image_.columns; ++column) {
-      point_[n] = points[column], column_[n] = column;
-      n += points[column] == RangeImage::kNone ? 0 : 1;
+    for (int column = 0; column < columns; ++column) {
+      const std::int32_t each = points[column];
+      point[n] = each, where[n] = column, instance[n] = instances[std::max(each, 0)];
+      n += each == RangeImage::kNone ? 0 : 1;
     }
-    point_[0] = point_[n - 1], column_[0] = column_[n - 1] - image_.columns;
     if (n == 1) return 0;
-    for (std::size_t i = 0; i < n; ++i) instance_[i] = segmentation_.instance[at(point_[i])];
+    point[0] = point[n - 1], where[0] = where[n - 1] - columns, instance[0] = instance[n - 1];
     return n;
   }
 
@@ -102,6 +106,7 @@ class OcclusionCount {
 
 void measureOcclusion(const RangeImage& image, const Segmentation& segmentation,
                       std::vector<Detection>& detections) {
+  if (segmentation.instance.empty()) return;
   OcclusionCount count(image, segmentation);
   for (int row = 0; row < image.rows; ++row) count.countRow(row);
   for (Detection& detection : detections) {
