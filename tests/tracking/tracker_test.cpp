@@ -85,7 +85,9 @@ TEST(Tracker, NeverReusesAnId) {
 }
 
 TEST(Tracker, EndsATraceAtTheFifthMissInARow) {
-  Tracker tracker(TrackingOptions{});
+  TrackingOptions options;
+  options.lifecycle.maxMisses = 5;
+  Tracker tracker(options);
   const std::vector<Detection> seen = {detectionOf(standingBox(0, 0, 1, 1))};
   int scan = 0;
   const auto show = [&](bool visible) {
@@ -112,6 +114,7 @@ TEST(Tracker, EndsATraceAtTheFifthMissInARow) {
 TEST(Tracker, AutoMosCountsTheMissesOfAWholeLife) {
   TrackingOptions options;
   options.lifecycle.rule = LifeRule::AutoMos;
+  options.lifecycle.maxMisses = 5;
   Tracker tracker(options);
   const std::vector<Detection> seen = {detectionOf(standingBox(0, 0, 1, 1))};
   for (int scan = 0; scan < 10; ++scan) {

@@ -92,12 +92,12 @@ void visitLifecycle(LifecycleOptions& options, OptionVisitor& visitor) {
   visitor.integer(
       {"min_hits", "scans", "detections until a trace is confirmed", "spec section 5.4"},
       options.minHits, 1, 1000);
-  visitor.integer(
-      {"max_misses", "scans", "scans without detection that end a trace", "spec section 5.4"},
-      options.maxMisses, 1, 1000);
+  visitor.integer({"max_misses", "scans", "scans without detection that end a trace",
+                   "measured on simulated scans; spec section 5.4: 5"},
+                  options.maxMisses, 1, 1000);
   visitor.integer({"max_misses_moving", "scans",
                    "scans without detection that end a dynamic trace (life = consecutive)",
-                   "measured on real scans"},
+                   "measured on simulated scans"},
                   options.maxMissesMoving, 1, 1000);
   visitor.integer({"min_match_points", "returns", "fewest returns of a box that continues a trace",
                    "Auto-MOS, spec section 4.3"},

@@ -78,9 +78,9 @@ enum class LifeRule {
 struct LifecycleOptions {
   LifeRule rule = LifeRule::Consecutive;
   /// Detections until a trace is confirmed; scans without detection until it ends.
-  int minHits = 3, maxMisses = 5;
-  /// The same for dynamic traces: who passes behind something or merges with somebody comes back.
-  int maxMissesMoving = 10;
+  int minHits = 3, maxMisses = 10;
+  /// The latter for dynamic traces: who passes behind something or merges with somebody comes back.
+  int maxMissesMoving = 30;
   /// Fewest returns of a box that may continue a trace, and of one that may start a trace.
   int minMatchPoints = 3, minBirthPoints = 3;
 };
