@@ -197,38 +197,30 @@ TEST(FreeSpace, WhatPassesFarBehindBarsIsSeenThroughAndWhatStandsThereIsNot) {
     EXPECT_LT(objectSum(scan).freeShare(), 0.05);
 }
 
-/// Largest number of cells of the object that any scan holds for free.
-int mostFree(const std::vector<EvidenceCells>& scans) {
+/// Drives ahead with `speed` [m/s] for 5 s: no cell of the object may ever be free.
+void expectNeverFree(const AnalyticScene& scene,
+                     const std::function<bool(const Vector3d&)>& isObject, double speed) {
+  const auto ahead = [speed](double t) { return Vector3d(speed * t, 0, 0); };
+  const auto scans = run([&](double) { return scene; }, isObject, 5.0, ahead);
+  ASSERT_GT(objectSum(scans[25]).cells, 20);
   int most = 0;
   for (const EvidenceCells& cells : scans) most = std::max(most, objectSum(cells).free);
-  return most;
+  EXPECT_EQ(0, most);
 }
 
 TEST(FreeSpace, AShoreBehindWaterThatReturnsNothingIsNotSeenThrough) {
-  const auto shore = [](double) {
-    AnalyticScene s;
-    s.add(AlignedBox3d(Vector3d(18, -30, -1.85), Vector3d(90, 30, -1.8)));
-    return s;
-  };
-  const auto edge = [](const Vector3d& p) { return p.x() < 24.0; };
-  const auto ahead = [](double t) { return Vector3d(1.5 * t, 0, 0); };
-  const auto cells = run(shore, edge, 5.0, ahead);
-  ASSERT_GT(objectSum(cells[25]).cells, 20);
-  EXPECT_EQ(0, mostFree(cells));
+  AnalyticScene shore;
+  shore.add(AlignedBox3d(Vector3d(18, -30, -1.85), Vector3d(90, 30, -1.8)));
+  expectNeverFree(
+      shore, [](const Vector3d& p) { return p.x() < 24.0; }, 1.5);
 }
 
 TEST(FreeSpace, ACeilingAtTheUpperEdgeOfTheViewIsNotSeenThrough) {
-  const auto hall = [](double) {
-    AnalyticScene s;
-    s.add(AlignedBox3d(Vector3d(-50, -30, 20), Vector3d(150, 30, 20.1)));
-    s.add(AlignedBox3d(Vector3d(150, -90, -9), Vector3d(151, 90, 20)));
-    return s;
-  };
+  AnalyticScene hall;
+  hall.add(AlignedBox3d(Vector3d(-50, -30, 20), Vector3d(150, 30, 20.1)));
+  hall.add(AlignedBox3d(Vector3d(150, -90, -9), Vector3d(151, 90, 20)));
   const auto patch = [](const Vector3d& p) { return p.z() > 19.9 && p.x() > 58.0 && p.x() < 64.0; };
-  const auto ahead = [](double t) { return Vector3d(2.6 * t, 0, 0); };
-  const auto cells = run(hall, patch, 5.0, ahead);
-  ASSERT_GT(objectSum(cells[25]).cells, 20);
-  EXPECT_EQ(0, mostFree(cells));
+  expectNeverFree(hall, patch, 2.6);
 }
 
 TEST(FreeSpace, FoliageIsNotSeenThroughAsAWhole) {

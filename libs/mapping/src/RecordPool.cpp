@@ -13,7 +13,7 @@ VoxelRecord* RecordPool::take(std::uint32_t size) {
     return kept;
   }
   const std::size_t capacity = detail::kPoolCapacities[sizeClass],
-                    count = std::max(capacity, kInLine);
+                    count = std::max<std::size_t>(capacity, kInLine);
   if (restCount_ < count) newPage();
   VoxelRecord* const records = rest_;
   // What is left of a line stays for others of the size: no array lies across more than it must.

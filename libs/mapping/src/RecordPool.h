@@ -31,6 +31,9 @@ constexpr std::array<std::uint8_t, 65> kPoolClasses = [] {
 /// of their size when they are given back. All of it goes at once.
 class RecordPool {
  public:
+  /// Records in a line of the cache.
+  static constexpr std::uint32_t kInLine = 64 / sizeof(VoxelRecord);
+
   /// Records in the array that holds `size` of them, 0 .. 64.
   static std::uint32_t capacityFor(std::uint32_t size) {
     return detail::kPoolCapacities[classOf(size)];
@@ -50,8 +53,6 @@ class RecordPool {
 
   /// The first of the arrays that were given back, which name the next in their first bytes.
   std::array<VoxelRecord*, detail::kPoolCapacities.size()> free_{};
-  /// Records in a line of the cache.
-  static constexpr std::size_t kInLine = 64 / sizeof(VoxelRecord);
   struct alignas(64) Line {
     std::array<VoxelRecord, kInLine> records;
   };

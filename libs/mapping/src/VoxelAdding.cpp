@@ -32,13 +32,6 @@ struct VoxelBlocks::Batch {
   std::size_t bringingCount = 0;
 };
 
-namespace {
-
-/// Of the cache.
-constexpr std::uint32_t kRecordsInLine = 64 / sizeof(VoxelRecord);
-
-}  // namespace
-
 TOSS_ALSO_FOR_AVX2
 void VoxelBlocks::add(const VoxelRun* first, const VoxelRun* last) {
   static_assert(kBatch < 256, "stretches are numbered in bytes");
@@ -99,7 +92,8 @@ inline void VoxelBlocks::makeRecords(Batch& batch) {
   // New records may move all the others.
   for (std::size_t i = 0; i < batch.bringingCount; ++i) {
     const Block& block = *batch.stretches[batch.bringing[i]].block;
-    for (std::uint32_t r = 0; r < countBits(block.mask) + kRecordsInLine; r += kRecordsInLine)
+    constexpr std::uint32_t kStep = RecordPool::kInLine;
+    for (std::uint32_t r = 0; r < countBits(block.mask) + kStep; r += kStep)
       __builtin_prefetch(block.records + r, 1);
   }
   for (std::size_t i = 0; i < batch.bringingCount; ++i) {

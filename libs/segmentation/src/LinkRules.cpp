@@ -38,7 +38,7 @@ LinkRules::LinkRules(const ObjectOptions& options, const RangeImage& image)
 
 LinkRules::Distance LinkRules::distance(double base, float angle) const {
   if (options_.metric == LinkMetric::Constant) {
-    return {0.0f, static_cast<float>(base), static_cast<float>(base), 1.0f};
+    return Distance::constant(static_cast<float>(base));
   }
   return {angle, static_cast<float>(options_.nearFactor * base),
           static_cast<float>(options_.farFactor * base), 1.0f};

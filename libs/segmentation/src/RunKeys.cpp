@@ -35,11 +35,8 @@ void RunKeys::buildRings(const RowRuns& runs, const LinkRules::Distance& distanc
 }
 
 void RunKeys::build(const RowRuns& runs, const LinkRules& rules) {
-  const auto constant = [](float distance) {
-    return LinkRules::Distance{0.0f, distance, distance, 1.0f};
-  };
-  buildRings(runs, constant(0.0f), own_);
-  buildRings(runs, constant(rules.surfaceDistance), surface_);
+  buildRings(runs, LinkRules::Distance::constant(0.0f), own_);
+  buildRings(runs, LinkRules::Distance::constant(rules.surfaceDistance), surface_);
   buildRings(runs, rules.horizontal, horizontal_);
   buildRings(runs, rules.vertical, vertical_);
   const std::size_t n = runs.size(), padded = n + static_cast<std::size_t>(kLanes);

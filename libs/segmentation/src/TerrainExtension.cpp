@@ -8,10 +8,6 @@
 namespace toss {
 namespace {
 
-std::size_t at(std::int32_t index) {
-  return static_cast<std::size_t>(index);
-}
-
 // The compiler vectorises these only as functions of arrays that are known not to overlap.
 
 TOSS_ALSO_FOR_AVX2

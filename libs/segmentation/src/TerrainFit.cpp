@@ -21,10 +21,6 @@ constexpr float kSmoothness = 0.25f;
 constexpr int kSteps = 5;
 constexpr std::int32_t kNone = -1;
 
-std::size_t at(std::int32_t index) {
-  return static_cast<std::size_t>(index);
-}
-
 float dot(const std::vector<float>& a, const std::vector<float>& b) {
   // Four sums side by side, in a fixed order, so that the result is the same everywhere.
   std::array<float, 4> sums = {};

@@ -29,6 +29,8 @@ class LinkRules {
   struct Distance {
     float angle, least, most, factor;
     float at(float range) const { return factor * std::min(std::max(range * angle, least), most); }
+    /// The same distance [m] at any range.
+    static Distance constant(float distance) { return {0.0f, distance, distance, 1.0f}; }
   };
 
   /// What a return at one range reaches.

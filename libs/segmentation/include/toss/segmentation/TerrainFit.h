@@ -62,6 +62,7 @@ class TerrainFit {
     std::array<float, 4> factors;
   };
 
+  static std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
   void markEdges(const VertexHeights& heights);
   void continueAlong(const Stencil& stencil, const VertexHeights& heights);
   void activate(const VertexHeights& heights);
