@@ -178,6 +178,27 @@ TEST_P(StaticMaps, WholeScansEqualTheirParts) {
   EXPECT_TRUE(test::same(whole->points(), parts->points()));
 }
 
+TEST_P(StaticMaps, DecidedScansEqualThoseThatAreSettled) {
+  std::mt19937 random(14);
+  constexpr std::int32_t kOwners = 7, kMover = 3;
+  const auto decided = makeStaticMap(options(), {0, 0, 0}),
+             settled = makeStaticMap(options(), {0, 0, 0});
+  std::vector<bool> dynamic(kOwners, false);
+  dynamic[kMover] = true;
+  for (BoxId firstBox = 0; firstBox < 70; firstBox += kOwners) {
+    // Dense, so that the limit of what an owner may add to a voxel shows.
+    const RandomReturns returns(random, 2000, 0.5f);
+    std::vector<std::int32_t> owner(returns.all.size());
+    for (std::int32_t& each : owner) each = static_cast<std::int32_t>(random() % (kOwners + 1)) - 1;
+    settled->addScan(returns.scan(), owner, dynamic, firstBox);
+    for (BoxId k = 1; k < kOwners; ++k) settled->settleBox(firstBox + k);
+    std::replace(owner.begin(), owner.end(), kMover, -1);
+    decided->addDecided(returns.scan(), owner);
+  }
+  EXPECT_EQ(decided->ledgerBytes(), makeStaticMap(options(), {0, 0, 0})->ledgerBytes());
+  EXPECT_TRUE(test::same(decided->points(), settled->points()));
+}
+
 TEST_P(StaticMaps, BoxesThatAreNotOpenAreLogicErrors) {
   std::mt19937 random(10);
   const RandomReturns returns(random, 5, 1.0f);

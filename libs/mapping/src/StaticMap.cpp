@@ -6,15 +6,32 @@
 
 namespace toss {
 
+namespace {
+
+/// Indices of the returns of each owner, shape [1 + greatest owner], at least that of owner 0.
+std::vector<std::vector<std::int32_t>> returnsByOwner(const std::vector<std::int32_t>& owner) {
+  std::vector<std::vector<std::int32_t>> returnsOf(1);
+  for (std::size_t i = 0; i < owner.size(); ++i) {
+    if (owner[i] < 0) continue;
+    const auto k = static_cast<std::size_t>(owner[i]);
+    if (k >= returnsOf.size()) returnsOf.resize(k + 1);
+    returnsOf[k].push_back(static_cast<std::int32_t>(i));
+  }
+  return returnsOf;
+}
+
+}  // namespace
+
 void StaticMap::addScan(const ScanReturns& scan, const std::vector<std::int32_t>& owner,
                         const std::vector<bool>& dynamic, BoxId firstBox) {
-  std::vector<std::vector<std::int32_t>> returnsOf(dynamic.size());
-  for (std::size_t i = 0; i < owner.size(); ++i)
-    if (owner[i] >= 0)
-      returnsOf[static_cast<std::size_t>(owner[i])].push_back(static_cast<std::int32_t>(i));
+  const std::vector<std::vector<std::int32_t>> returnsOf = returnsByOwner(owner);
   addPermanent(scan, returnsOf.front());
   for (std::size_t k = 1; k < returnsOf.size(); ++k)
     if (!returnsOf[k].empty()) addBox(firstBox + k, 0, scan, returnsOf[k], dynamic[k]);
+}
+
+void StaticMap::addDecided(const ScanReturns& scan, const std::vector<std::int32_t>& owner) {
+  for (const std::vector<std::int32_t>& each : returnsByOwner(owner)) addPermanent(scan, each);
 }
 
 std::vector<MapPoint> StaticMap::points(const Eigen::Vector3d& offset) const {

@@ -28,11 +28,21 @@ void VoxelStaticMap::addToTrack(TrackId track, const ScanReturns& scan, IndexSpa
   map_.addToTrack(track, bin(scan, indices));
 }
 
-void VoxelStaticMap::addScan(const ScanReturns& scan, const std::vector<std::int32_t>& owner,
-                             const std::vector<bool>& dynamic, BoxId firstBox) {
+void VoxelStaticMap::binByOwner(const ScanReturns& scan, const std::vector<std::int32_t>& owner) {
   leftOut_ += map_.voxels().binByOwner(scan.level.x, scan.level.y, scan.level.z, scan.intensity,
                                        scan.sensorPosition, owner, cap_, binned_);
+}
+
+void VoxelStaticMap::addScan(const ScanReturns& scan, const std::vector<std::int32_t>& owner,
+                             const std::vector<bool>& dynamic, BoxId firstBox) {
+  binByOwner(scan, owner);
   map_.addScan(binned_, dynamic, firstBox);
+}
+
+void VoxelStaticMap::addDecided(const ScanReturns& scan, const std::vector<std::int32_t>& owner) {
+  binByOwner(scan, owner);
+  map_.addPermanent(binned_.permanent);
+  map_.addPermanent(binned_.owned);
 }
 
 }  // namespace toss

@@ -17,6 +17,7 @@ class VoxelStaticMap : public StaticMap {
   void addToTrack(TrackId track, const ScanReturns& scan, IndexSpan indices) override;
   void addScan(const ScanReturns& scan, const std::vector<std::int32_t>& owner,
                const std::vector<bool>& dynamic, BoxId firstBox) override;
+  void addDecided(const ScanReturns& scan, const std::vector<std::int32_t>& owner) override;
   ScanPlaces placesOf(const ScanReturns& scan) const override {
     return map_.voxels().placesOf(scan.level, scan.sensorPosition);
   }
@@ -38,6 +39,7 @@ class VoxelStaticMap : public StaticMap {
 
  private:
   const std::vector<VoxelRun>& bin(const ScanReturns& scan, IndexSpan indices);
+  void binByOwner(const ScanReturns& scan, const std::vector<std::int32_t>& owner);
 
   RevocableMap map_;
   std::uint32_t cap_, minPoints_;

@@ -22,8 +22,7 @@ bool belongsInMap(PointClass pointClass, const MappingOptions& options) {
 
 /// Owner of each return that goes into the map, below 0 for the others. Valid until the next call
 /// of the thread.
-const std::vector<std::int32_t>& ownersInMap(const MappingOptions& options,
-                                             const ScanRecord& record) {
+std::vector<std::int32_t>& ownersInMap(const MappingOptions& options, const ScanRecord& record) {
   // All bits where returns of a class are not kept.
   constexpr std::size_t kClasses = 256;
   std::array<std::int32_t, kClasses> left;
@@ -45,6 +44,26 @@ void markMapped(const std::vector<std::int32_t>& ownersInMap, std::vector<Owner>
   for (std::size_t o = 1; o < owners.size(); ++o) owners[o].mapped = mapped[o + 1] != 0;
 }
 
+/// Leaves out the returns of moving owners.
+void leaveMovers(const std::vector<bool>& movingOwners, std::vector<std::int32_t>& ownersInMap) {
+  // All bits where an owner moves; the first place is of returns that are left out anyway.
+  std::vector<std::int32_t> left(movingOwners.size() + 1, -1);
+  for (std::size_t o = 0; o < movingOwners.size(); ++o) left[o + 1] = movingOwners[o] ? -1 : 0;
+  for (std::int32_t& owner : ownersInMap) owner |= left[static_cast<std::size_t>(owner + 1)];
+}
+
+ScanReturns returnsOf(const ScanRecord& record) {
+  return {record.level, record.intensity, record.sensorPosition};
+}
+
+/// The record's coordinates are needed no more.
+void complete(const StaticMap& map, ScanRecord& record) {
+  const ScanPlaces places = map.placesOf(returnsOf(record));
+  for (ResidueReturn& each : record.residue)
+    each.place = places.of(static_cast<std::size_t>(each.point));
+  record.complete = true;
+}
+
 }  // namespace
 
 void commitScan(const MappingOptions& options, const std::vector<bool>& movingOwners,
@@ -53,18 +72,21 @@ void commitScan(const MappingOptions& options, const std::vector<bool>& movingOw
   markMapped(owners, record.owners);
   record.firstLedger = nextLedger;
   nextLedger += record.owners.size();
-  const ScanReturns returns{record.level, record.intensity, record.sensorPosition};
-  map.addScan(returns, owners, movingOwners, record.firstLedger);
-  const ScanPlaces places = map.placesOf(returns);
-  for (ResidueReturn& each : record.residue)
-    each.place = places.of(static_cast<std::size_t>(each.point));
-  record.complete = true;
+  map.addScan(returnsOf(record), owners, movingOwners, record.firstLedger);
+  complete(map, record);
+}
+
+void commitDecided(const MappingOptions& options, const std::vector<bool>& movingOwners,
+                   ScanRecord& record, StaticMap& map) {
+  std::vector<std::int32_t>& owners = ownersInMap(options, record);
+  leaveMovers(movingOwners, owners);
+  map.addDecided(returnsOf(record), owners);
+  complete(map, record);
 }
 
 void previewScan(const MappingOptions& options, const std::vector<bool>& movingOwners,
                  const ScanRecord& record, BoxId& nextLedger, StaticMap& map) {
-  map.addScan({record.level, record.intensity, record.sensorPosition}, ownersInMap(options, record),
-              movingOwners, nextLedger);
+  map.addScan(returnsOf(record), ownersInMap(options, record), movingOwners, nextLedger);
   nextLedger += record.owners.size();
 }
 

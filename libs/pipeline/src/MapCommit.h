@@ -13,6 +13,11 @@ namespace toss {
 void commitScan(const MappingOptions& options, const std::vector<bool>& movingOwners,
                 ScanRecord& record, BoxId& nextLedger, StaticMap& map);
 
+/// The same for a scan whose labels are final: only what stays enters, for good and without
+/// ledgers.
+void commitDecided(const MappingOptions& options, const std::vector<bool>& movingOwners,
+                   ScanRecord& record, StaticMap& map);
+
 /// Enters the returns of a scan that is not complete, without those of moving owners. Counts
 /// `nextLedger` up.
 void previewScan(const MappingOptions& options, const std::vector<bool>& movingOwners,

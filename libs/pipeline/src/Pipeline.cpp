@@ -44,7 +44,7 @@ const ScanLabels& Pipeline::process(const PosedScan& scan, FirstStages& first) {
   stages.askViews(scan);
   stages.vote(scan);
   stages.labelLive();
-  stages.commitComplete(false);
+  stages.commitComplete();
   stages.settleDue();
   return stages.live;
 }
@@ -56,7 +56,6 @@ void Pipeline::finish() {
 }
 
 void Pipeline::decideRest() {
-  implementation_->commitComplete(true);
   implementation_->decideAll();
 }
 

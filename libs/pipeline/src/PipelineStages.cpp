@@ -107,27 +107,32 @@ void Pipeline::Implementation::takeEvidence(const EvidenceCells& cells, ScanReco
   setFinalClasses(record, false);
 }
 
-void Pipeline::Implementation::commitComplete(bool all) {
+StaticMap& Pipeline::Implementation::mapFrom(const ScanRecord& record) {
+  std::unique_ptr<StaticMap>& map = shared->map;
+  if (!map) {
+    map = makeStaticMap(options.mapping, record.sensorPosition, shared->tiles);
+    shared->offset = toss::mapOffset(record.sensorPosition);
+  }
+  return *map;
+}
+
+void Pipeline::Implementation::commitComplete() {
   const auto commitNext = [&] {
     ScanRecord& record = records[committed++];
-    std::unique_ptr<StaticMap>& map = shared->map;
-    if (!map) {
-      map = makeStaticMap(options.mapping, record.sensorPosition, shared->tiles);
-      shared->offset = toss::mapOffset(record.sensorPosition);
-    }
-    commitScan(options.mapping, judge.final(record, false), record, shared->nextLedger, *map);
+    StaticMap& map = mapFrom(record);
+    commitScan(options.mapping, judge.final(record, false), record, shared->nextLedger, map);
     builder.reuseReturns(record);
-    map->leaveBehind(record.sensorPosition);
+    map.leaveBehind(record.sensorPosition);
   };
   if (options.visibility.enabled) {
-    for (const EvidenceCells& cells : witness.takeComplete(all)) {
+    for (const EvidenceCells& cells : witness.takeComplete(false)) {
       takeEvidence(cells, records[committed]);
       commitNext();
     }
   } else {
     const double now = records.empty() ? 0.0 : records.back().time;
     while (committed < records.size() &&
-           (all || now - records[committed].time >= options.mapping.insertionDelay))
+           now - records[committed].time >= options.mapping.insertionDelay)
       commitNext();
   }
   clock.lap("mapping");
@@ -179,10 +184,24 @@ void Pipeline::Implementation::settleDue() {
 }
 
 void Pipeline::Implementation::decideAll() {
+  if (options.visibility.enabled) {
+    auto record = records.begin() + static_cast<std::ptrdiff_t>(committed);
+    for (const EvidenceCells& cells : witness.takeComplete(true)) takeEvidence(cells, *record++);
+  }
   for (const ScanRecord& record : records) setFinalClasses(record, true);
   // Residue of the first asks for what the last leaves in the map.
-  for (ScanRecord& record : records) decideOwners(record);
+  for (std::size_t i = 0; i < committed; ++i) decideOwners(records[i]);
+  while (committed < records.size()) commitDecidedNext();
   for (ScanRecord& record : records) decideResidue(record);
+}
+
+void Pipeline::Implementation::commitDecidedNext() {
+  ScanRecord& record = records[committed++];
+  StaticMap& map = mapFrom(record);
+  record.moving = judge.final(record, true);
+  commitDecided(options.mapping, record.moving, record, map);
+  builder.reuseReturns(record);
+  map.leaveBehind(record.sensorPosition);
 }
 
 }  // namespace toss

@@ -36,11 +36,12 @@ struct Pipeline::Implementation {
   void vote(const PosedScan& scan);
   /// The answer with no look-ahead.
   void labelLive();
-  /// Stage 8: scans on which all views have testified enter the map; with `all`, every scan.
-  void commitComplete(bool all);
+  /// Stage 8: scans on which all views have testified enter the map.
+  void commitComplete();
   /// Labels that nothing can change any more become final.
   void settleDue();
-  /// Decides about all scans that are left, which are in the map.
+  /// Decides about all scans that are left. Those that are not in the map by then enter it last,
+  /// for good: nothing of them has to be taken back.
   void decideAll();
   /// Makes the labels of the first scan, which is decided, and forgets it.
   void settleFirst(ScanLabels& labels);
@@ -49,6 +50,9 @@ struct Pipeline::Implementation {
   const StaticMap* presentMap() const;
   /// Gives the ledgers of this pipeline's scans their present labels.
   void updateMap() const;
+  /// The map that all pipelines share; it begins where the first scan of any of them was taken.
+  StaticMap& mapFrom(const ScanRecord& record);
+  void commitDecidedNext();
   void takeEvidence(const EvidenceCells& cells, ScanRecord& record);
   void setFinalClasses(const ScanRecord& record, bool last);
   /// Says for good what of a scan moves, and what of it is in the map; then, when the map is as far

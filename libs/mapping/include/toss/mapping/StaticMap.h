@@ -47,6 +47,10 @@ class StaticMap {
   /// those below 0 are passed over. `dynamic`: shape [owners].
   virtual void addScan(const ScanReturns& scan, const std::vector<std::int32_t>& owner,
                        const std::vector<bool>& dynamic, BoxId firstBox);
+  /// Enters a whole scan whose labels are final: returns whose `owner` (shape [n]) is 0 or greater
+  /// stay for good, those below 0 are passed over. The same as addScan() and then settleBox() for
+  /// each owner, without keeping ledgers.
+  virtual void addDecided(const ScanReturns& scan, const std::vector<std::int32_t>& owner);
 
   /// Names of the places of a scan's returns, for holds().
   virtual ScanPlaces placesOf(const ScanReturns& scan) const = 0;
