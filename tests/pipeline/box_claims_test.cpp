@@ -172,15 +172,18 @@ TEST(ClaimSquares, FindReturnsBeyondTheirGridAndNoneThatAreNotThere) {
   squares.clear();
   squares.mark(ClaimFootprint(box, Eigen::Vector3d::Zero(), 0.0), {});
   const float unknown = std::nanf("");
-  const LevelPoints points{{150.5f, 0.0f, unknown, 150.5f}, {0.0f, 0.0f, unknown, 0.0f}, {}};
+  const LevelPoints points{
+      {150.5f, 0.0f, unknown, 150.5f}, {0.0f, 0.0f, unknown, 0.0f}, {0.0f, 0.0f, unknown, 0.0f}};
   Segmentation segmentation;
   segmentation.pointClass = {PointClass::Ground, PointClass::Ground, PointClass::Invalid,
                              PointClass::Instance};
   segmentation.instance = {0, 0, 0, 1};
   segmentation.heightAboveGround = {0.1f, 0.1f, unknown, 1.0f};
-  squares.find(points, segmentation, 0.02f, {true, true});
-  ASSERT_EQ(squares.size(), 1u);
-  EXPECT_EQ(squares.begin()->point, 0);
+  ClaimReturns found;
+  squares.find(points, segmentation, 0.02f, {true, true}, found);
+  ASSERT_EQ(found.count, 1u);
+  EXPECT_EQ(found.point.front(), 0);
+  EXPECT_EQ(found.stretchCount, 1u);
 }
 
 }  // namespace

@@ -17,22 +17,6 @@ using Takes = BoxClaims::Claimant::Takes;
 constexpr double kBelowBox = 1.0;
 /// More than any box takes.
 constexpr std::int32_t kNever = static_cast<std::int32_t>(Takes::Residue) + 1;
-/// The least that a box must take to claim a return outright, by its way: only some boxes take what
-/// is in an instance.
-constexpr std::array<std::int32_t, 4> kLeast = {static_cast<std::int32_t>(Takes::Cuts), kNever,
-                                                kNever, 0};
-
-/// Takes the returns first..last - 1.
-[[gnu::always_inline]] inline void fill(ClaimBatch& batch, const ClaimSquares::Found* first,
-                                        const ClaimSquares::Found* last,
-                                        const LevelPoints& points) {
-  batch.start();
-  for (std::size_t lane = 0; first != last; ++first, ++lane) {
-    const auto i = static_cast<std::size_t>(first->point);
-    batch.x[lane] = points.x[i], batch.y[lane] = points.y[i], batch.z[lane] = points.z[i];
-    batch.least[lane] = kLeast[static_cast<std::size_t>(first->way)];
-  }
-}
 
 }  // namespace
 
@@ -45,10 +29,15 @@ void BoxClaims::enter(const Claimant& claimant, std::int32_t number) {
   const ClaimFootprint& footprint = footprints_[static_cast<std::size_t>(number)];
   terms_[static_cast<std::size_t>(number)] = {takes, claimant.instance,
                                               footprint.extent(reachOf(takes))};
+  ClaimBox& box = boxes_[static_cast<std::size_t>(number)];
+  box = ClaimBox::at(footprint, number);
+  box.takes = static_cast<std::int32_t>(takes);
+  box.claim = ClaimBox::Reach::of(footprint, margins_.claim);
+  if (claimsResidue(takes)) box.residue = ClaimBox::Reach::of(footprint, margins_.residue);
   ClaimGrid::visitCells(footprint.extent(reachOf(takes) + ClaimGrid::kRounding),
                         [&](std::size_t cell) {
                           if (firstEntry_[cell] < 0) usedCells_.push_back(cell);
-                          entries_.push_back({number, firstEntry_[cell], takes});
+                          entries_.push_back({number, firstEntry_[cell]});
                           firstEntry_[cell] = static_cast<std::int32_t>(entries_.size()) - 1;
                         });
 }
@@ -58,7 +47,7 @@ void BoxClaims::take(const std::vector<Claimant>& claimants,
   firstEntry_.resize(static_cast<std::size_t>(ClaimGrid::kCells) * ClaimGrid::kCells, -1);
   for (const std::size_t cell : usedCells_) firstEntry_[cell] = -1;
   usedCells_.clear(), entries_.clear(), footprints_.clear(), byVolume_.clear();
-  terms_.resize(claimants.size());
+  terms_.resize(claimants.size()), boxes_.resize(claimants.size());
   instanceOf_.assign(1, 0);
   for (std::size_t c = 0; c < claimants.size(); ++c) {
     footprints_.emplace_back(claimants[c].box, sensorPosition, kBelowBox);
@@ -93,58 +82,49 @@ void BoxClaims::findNearby(const LevelPoints& points, const Segmentation& segmen
     const Terms& terms = terms_[c];
     if (const auto own = static_cast<std::size_t>(terms.instance); own != 0)
       cuttable_[own] = cuttable_[own] && isMet(c);
-    const bool residue = terms.takes == Takes::Residue && margins_.residue != 0.0f;
-    squares_.mark(footprints_[c],
-                  {reachOf(terms.takes), terms.takes != Takes::Nothing, residue, terms.instance});
+    squares_.mark(footprints_[c], {reachOf(terms.takes), terms.takes != Takes::Nothing,
+                                   claimsResidue(terms.takes), terms.instance});
   }
-  squares_.find(points, segmentation, residueHeight_, cuttable_);
+  squares_.find(points, segmentation, residueHeight_, cuttable_, found_);
+}
+
+TOSS_ALSO_FOR_AVX2
+void BoxClaims::askBoxes() {
+  ClaimBatch batch;
+  for (std::size_t s = 0; s < found_.stretchCount; ++s) {
+    const auto first = static_cast<std::size_t>(found_.stretch[s]);
+    const auto end = static_cast<std::size_t>(found_.stretch[s + 1]);
+    const std::int32_t firstEntry = firstEntry_[found_.cell[first]];
+    for (std::size_t i = first; i < end; i += ClaimBatch::kMost) {
+      batch.take(found_, i, static_cast<std::int32_t>(Takes::Cuts), kNever);
+      for (std::int32_t e = firstEntry; e >= 0; e = entries_[static_cast<std::size_t>(e)].next)
+        batch.ask(boxes_[static_cast<std::size_t>(entries_[static_cast<std::size_t>(e)].box)]);
+      // Answers behind the end of the stretch are replaced by those of the next.
+      batch.write(outright_.data() + i, residue_.data() + i);
+    }
+  }
 }
 
 /// Without branches, as no one could foretell which returns are claimed.
-void BoxClaims::takeClaims(const ClaimBatch& batch, const Found* first, const Found* last,
-                           const Segmentation& segmentation) {
-  for (std::size_t lane = 0; first != last; ++first, ++lane) {
-    const bool residue = batch.outright[lane] < 0;
-    const std::int32_t claimant = residue ? batch.residue[lane] : batch.outright[lane];
-    const std::int32_t host = segmentation.instance[static_cast<std::size_t>(first->point)];
+void BoxClaims::takeClaims(const Segmentation& segmentation) {
+  claimCount_ = 0;
+  for (std::size_t i = 0; i < found_.count; ++i) {
+    const bool residue = outright_[i] < 0;
+    const std::int32_t claimant = residue ? residue_[i] : outright_[i];
+    const std::int32_t host = segmentation.instance[static_cast<std::size_t>(found_.point[i])];
     const bool own = (host != 0) & (instanceOf_[static_cast<std::size_t>(claimant + 1)] == host);
-    claims_[claimCount_] = {first->point, claimant, host, residue};
+    claims_[claimCount_] = {found_.point[i], claimant, host, residue};
     claimCount_ += static_cast<std::size_t>((claimant >= 0) & !own);
-  }
-}
-
-[[gnu::always_inline]] inline void BoxClaims::askBoxes(std::size_t cell, ClaimBatch& batch) const {
-  for (std::int32_t e = firstEntry_[cell]; e >= 0;) {
-    const Entry& entry = entries_[static_cast<std::size_t>(e)];
-    const ClaimFootprint& footprint = footprints_[static_cast<std::size_t>(entry.box)];
-    batch.ask(footprint, entry.box, static_cast<std::int32_t>(entry.takes),
-              entry.takes == Takes::Residue && margins_.residue != 0.0f, margins_);
-    e = entry.next;
-  }
-}
-
-/// Returns that follow each other in the scan mostly lie in the same cell.
-TOSS_ALSO_FOR_AVX2
-void BoxClaims::claimNearby(const LevelPoints& points, const Segmentation& segmentation) {
-  ClaimBatch batch;
-  for (const Found* first = squares_.begin(); first != squares_.end();) {
-    const Found* const most =
-        first + std::min<std::ptrdiff_t>(squares_.end() - first, ClaimBatch::kMost);
-    const Found* last = first + 1;
-    while (last != most && last->cell == first->cell) ++last;
-    fill(batch, first, last, points);
-    askBoxes(first->cell, batch);
-    takeClaims(batch, first, last, segmentation);
-    first = last;
   }
 }
 
 BoxClaims::Claims BoxClaims::find(const LevelPoints& points, const Segmentation& segmentation,
                                   const std::vector<bool>& standing) {
   findNearby(points, segmentation, standing);
-  if (claims_.size() < squares_.size() + 1) claims_.resize(squares_.size() + 1);
-  claimCount_ = 0;
-  claimNearby(points, segmentation);
+  if (const std::size_t size = found_.count + ClaimReturns::kSpare; claims_.size() < size)
+    claims_.resize(size), outright_.resize(size), residue_.resize(size);
+  askBoxes();
+  takeClaims(segmentation);
   return {claims_.data(), claims_.data() + claimCount_};
 }
 

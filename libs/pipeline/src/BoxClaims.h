@@ -85,28 +85,31 @@ class BoxClaims {
   /// Entry of a grid cell's list of boxes.
   struct Entry {
     std::int32_t box, next;
-    Claimant::Takes takes;
   };
-  using Found = ClaimSquares::Found;
 
   void enter(const Claimant& claimant, std::int32_t number);
   float reachOf(Claimant::Takes takes) const;
+  bool claimsResidue(Claimant::Takes takes) const {
+    return takes == Claimant::Takes::Residue && margins_.residue != 0.0f;
+  }
   /// Whether another box that takes more than nothing reaches into a box.
   bool isMet(std::size_t number) const;
   /// Finds the returns that any box may claim.
   void findNearby(const LevelPoints& points, const Segmentation& segmentation,
                   const std::vector<bool>& standing);
-  void claimNearby(const LevelPoints& points, const Segmentation& segmentation);
-  /// Asks all boxes of a cell about returns in it.
-  void askBoxes(std::size_t cell, ClaimBatch& batch) const;
-  void takeClaims(const ClaimBatch& batch, const Found* first, const Found* last,
-                  const Segmentation& segmentation);
+  /// Asks the boxes of each cell about the returns found in it.
+  void askBoxes();
+  void takeClaims(const Segmentation& segmentation);
 
-  ClaimBatch::Margins margins_;
+  /// Growth of boxes to their sides and top [m].
+  struct {
+    float claim, residue;
+  } margins_;
   float residueHeight_;
   /// Of each claimant.
   std::vector<ClaimFootprint> footprints_;
   std::vector<Terms> terms_;
+  std::vector<ClaimBox> boxes_;
   /// Instance of each claimant, after that of claimant -1.
   std::vector<std::int32_t> instanceOf_;
   /// Claimants, those with the largest boxes first.
@@ -119,6 +122,9 @@ class BoxClaims {
   /// Cells that have entries.
   std::vector<std::size_t> usedCells_;
   ClaimSquares squares_;
+  ClaimReturns found_;
+  /// The first box that claims each return found outright, and as residue, -1 = none. Only grow.
+  std::vector<std::int32_t> outright_, residue_;
   /// Only grows; the first `claimCount_` are those of the scan.
   std::vector<Claim> claims_;
   std::size_t claimCount_ = 0;

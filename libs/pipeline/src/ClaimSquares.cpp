@@ -17,9 +17,10 @@ constexpr Mark kOutright = 1, kResidue = 2, kMany = 0xfffc;
 /// In the place of an instance's own mark: it is not cut; or it is, but has no mark of its own.
 constexpr Mark kNotCut = kMany + 1, kNoMark = 1;
 constexpr std::size_t kBlock = 512;
-static_assert(ClaimGrid::kCells * ClaimGrid::kCells - 1 <= 0xffff, "Found::cell holds any cell");
-static_assert(static_cast<int>(ClaimSquares::Way::Residue) == kResidue &&
-                  static_cast<int>(ClaimSquares::Way::Any) == (kOutright | kResidue),
+static_assert(ClaimGrid::kCells * ClaimGrid::kCells - 1 <= 0xffff,
+              "ClaimReturns::cell holds any cell");
+static_assert(static_cast<int>(ClaimWay::Residue) == kResidue &&
+                  static_cast<int>(ClaimWay::Any) == (kOutright | kResidue),
               "marks asked for are ways");
 
 Mark cutterOf(std::int32_t instance) {
@@ -36,8 +37,8 @@ void findSquares(const float* __restrict x, const float* __restrict y, std::size
 }
 
 /// What would have to be marked for a box to claim a return that is in no instance: kOutright or
-/// kResidue, which are the bits of a Way; 0 for returns that are in one, and for those that no box
-/// may claim.
+/// kResidue, which are the bits of a ClaimWay; 0 for returns that are in one, and for those that no
+/// box may claim.
 TOSS_ALSO_FOR_AVX2
 void findAsked(const PointClass* __restrict pointClass, const float* __restrict height,
                float lowGround, std::size_t n, Mark* __restrict asked) {
@@ -105,7 +106,8 @@ void ClaimSquares::findOwnMarks(const std::vector<bool>& cuttable) {
 }
 
 void ClaimSquares::findInBlock(const LevelPoints& points, const Segmentation& segmentation,
-                               float lowGround, std::size_t begin, std::size_t size) {
+                               float lowGround, std::size_t begin, std::size_t size,
+                               ClaimReturns& found) const {
   Block block;
   findSquares(points.x.data() + begin, points.y.data() + begin, size, block.square.data());
   findAsked(segmentation.pointClass.data() + begin, segmentation.heightAboveGround.data() + begin,
@@ -117,28 +119,38 @@ void ClaimSquares::findInBlock(const LevelPoints& points, const Segmentation& se
     block.own[i] = ownMark_[static_cast<std::size_t>(instance[i])];
   decide(block.mark.data(), block.asked.data(), block.own.data(), size, block.wanted.data());
   std::fill(block.wanted.begin() + size, block.wanted.end(), std::uint8_t{0});
-  Found* const found = found_.data();
-  std::size_t count = count_;
-  visitMarkedWords(block.wanted.data(), kBlock, [&](std::size_t first) {
-    // Without branches, as no one could foretell which of them are wanted.
-    for (std::size_t i = first; i < first + kMarksInWord; ++i) {
-      found[count] = {static_cast<std::int32_t>(begin + i),
-                      static_cast<std::uint16_t>(ClaimGrid::cellOfSquare(block.square[i])),
-                      static_cast<Way>(block.asked[i])};
-      count += block.wanted[i];
-    }
+  std::size_t next = found.count;
+  visitMarks(block.wanted.data(), kBlock, [&](std::size_t i) {
+    const std::size_t point = begin + i;
+    found.point[next] = static_cast<std::int32_t>(point);
+    found.way[next] = static_cast<ClaimWay>(block.asked[i]);
+    found.x[next] = points.x[point], found.y[next] = points.y[point];
+    found.z[next] = points.z[point];
+    found.cell[next] = static_cast<std::uint16_t>(ClaimGrid::cellOfSquare(block.square[i]));
+    ++next;
   });
-  count_ = count;
+  found.count = next;
+}
+
+/// Without branches, as no one could foretell where one begins.
+void ClaimSquares::findStretches(ClaimReturns& found) {
+  std::int32_t last = -1;
+  for (std::size_t i = 0; i < found.count; ++i) {
+    found.stretch[found.stretchCount] = static_cast<std::int32_t>(i);
+    found.stretchCount += found.cell[i] != last;
+    last = found.cell[i];
+  }
+  found.stretch[found.stretchCount] = static_cast<std::int32_t>(found.count);
 }
 
 void ClaimSquares::find(const LevelPoints& points, const Segmentation& segmentation,
-                        float lowGround, const std::vector<bool>& cuttable) {
+                        float lowGround, const std::vector<bool>& cuttable, ClaimReturns& found) {
   const std::size_t n = points.x.size();
-  if (found_.size() < n + kMarksInWord) found_.resize(n + kMarksInWord);
   findOwnMarks(cuttable);
-  count_ = 0;
+  found.clear(n);
   for (std::size_t begin = 0; begin < n; begin += kBlock)
-    findInBlock(points, segmentation, lowGround, begin, std::min(kBlock, n - begin));
+    findInBlock(points, segmentation, lowGround, begin, std::min(kBlock, n - begin), found);
+  findStretches(found);
 }
 
 }  // namespace toss

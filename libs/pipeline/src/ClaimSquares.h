@@ -8,6 +8,7 @@
 
 #include "ClaimFootprint.h"
 #include "ClaimGrid.h"
+#include "ClaimReturns.h"
 
 namespace toss {
 
@@ -29,28 +30,11 @@ class ClaimSquares {
   void clear();
   void mark(const ClaimFootprint& footprint, const Reach& reach);
 
-  /// Finds all returns that marked boxes may claim, and others near them. Ground up to `lowGround`
-  /// [m] over the ground is residue at most; only instances that are `cuttable` are cut, shape
-  /// [instanceCount + 1].
+  /// Replaces `found` by all returns that marked boxes may claim, and others near them. Ground up
+  /// to `lowGround` [m] over the ground is residue at most; only instances that are `cuttable` are
+  /// cut, shape [instanceCount + 1].
   void find(const LevelPoints& points, const Segmentation& segmentation, float lowGround,
-            const std::vector<bool>& cuttable);
-
-  /// How a box may claim a return.
-  enum class Way : std::uint16_t {
-    Cut = 0,      ///< out of its instance
-    Residue = 2,  ///< as residue at most: low ground
-    Any = 3       ///< outright or as residue, as it is in no instance
-  };
-  /// A return that was found, the cell of the grid that it lies in, and how it may be claimed.
-  struct Found {
-    std::int32_t point;
-    std::uint16_t cell;
-    Way way;
-  };
-  /// What was found, by ascending point.
-  const Found* begin() const { return found_.data(); }
-  const Found* end() const { return found_.data() + count_; }
-  std::size_t size() const { return count_; }
+            const std::vector<bool>& cuttable, ClaimReturns& found);
 
  private:
   /// The lowest bits tell what may be claimed outside instances; above them stands the instance
@@ -58,16 +42,14 @@ class ClaimSquares {
   using Mark = std::uint16_t;
   struct Block;
   void findInBlock(const LevelPoints& points, const Segmentation& segmentation, float lowGround,
-                   std::size_t begin, std::size_t size);
+                   std::size_t begin, std::size_t size, ClaimReturns& found) const;
+  static void findStretches(ClaimReturns& found);
   void findOwnMarks(const std::vector<bool>& cuttable);
 
   /// Shape [kSquares * kSquares], by x and then y.
   std::vector<Mark> marks_;
   /// Mark that the box of each instance leaves.
   std::vector<Mark> ownMark_;
-  /// Only grows; the first `count_` hold what was found.
-  std::vector<Found> found_;
-  std::size_t count_ = 0;
 };
 
 }  // namespace toss
