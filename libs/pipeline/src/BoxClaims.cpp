@@ -107,14 +107,16 @@ void BoxClaims::askBoxes() {
 
 /// Without branches, as no one could foretell which returns are claimed.
 void BoxClaims::takeClaims(const Segmentation& segmentation) {
-  claimCount_ = 0;
+  claimCount_ = residueCount_ = 0;
   for (std::size_t i = 0; i < found_.count; ++i) {
     const bool residue = outright_[i] < 0;
     const std::int32_t claimant = residue ? residue_[i] : outright_[i];
     const std::int32_t host = segmentation.instance[static_cast<std::size_t>(found_.point[i])];
     const bool own = (host != 0) & (instanceOf_[static_cast<std::size_t>(claimant + 1)] == host);
     claims_[claimCount_] = {found_.point[i], claimant, host, residue};
-    claimCount_ += static_cast<std::size_t>((claimant >= 0) & !own);
+    const bool taken = (claimant >= 0) & !own;
+    claimCount_ += taken;
+    residueCount_ += taken & residue;
   }
 }
 
@@ -125,7 +127,7 @@ BoxClaims::Claims BoxClaims::find(const LevelPoints& points, const Segmentation&
     claims_.resize(size), outright_.resize(size), residue_.resize(size);
   askBoxes();
   takeClaims(segmentation);
-  return {claims_.data(), claims_.data() + claimCount_};
+  return {claims_.data(), claims_.data() + claimCount_, residueCount_};
 }
 
 std::int32_t BoxClaims::boxAround(const Eigen::Vector3f& point, std::int32_t except) const {

@@ -61,6 +61,8 @@ class BoxClaims {
   /// Claims of a scan, by ascending point; valid until the next are found.
   struct Claims {
     const Claim *first, *last;
+    /// How many of them are residue.
+    std::size_t residueCount;
     const Claim* begin() const { return first; }
     const Claim* end() const { return last; }
     std::size_t size() const { return static_cast<std::size_t>(last - first); }
@@ -127,7 +129,7 @@ class BoxClaims {
   std::vector<std::int32_t> outright_, residue_;
   /// Only grows; the first `claimCount_` are those of the scan.
   std::vector<Claim> claims_;
-  std::size_t claimCount_ = 0;
+  std::size_t claimCount_ = 0, residueCount_ = 0;
 };
 
 }  // namespace toss

@@ -27,13 +27,6 @@ BoxClaims::Claimant::Takes takesOf(const Track& track) {
   return track.speed() > kSlowest ? Takes::Residue : Takes::Cuts;
 }
 
-/// Claims that the same owner has are alike in this. The lower bits differ most, as hashing wants.
-std::uint64_t ownerKey(const BoxClaims::Claim& claim) {
-  return static_cast<std::uint64_t>(claim.host) << 32 |
-         static_cast<std::uint64_t>(claim.claimant) << 1 |
-         static_cast<std::uint64_t>(claim.residue);
-}
-
 /// Memory fresh from the system costs more than what is written into it.
 template <typename T>
 void takeSpare(std::vector<T>& spares, T& target) {
@@ -59,33 +52,31 @@ void RecordBuilder::addInstances(const std::vector<Detection>& detections, const
   }
 }
 
+/// Without choices by what a claim is, as no one could foretell it.
 void RecordBuilder::addOwners(const std::vector<Track>& tracks, const BoxClaims::Claims& claims,
                               ScanRecord& record) {
-  claimingOwners_.clear();
-  record.residue.reserve(static_cast<std::size_t>(std::count_if(
-      claims.begin(), claims.end(), [](const BoxClaims::Claim& claim) { return claim.residue; })));
-  std::uint64_t lastKey = ~std::uint64_t{0};
-  std::int32_t lastOwner = 0;
+  claimingOwners_.start(tracks.size(), record.owners.size());
+  // One more than can be, as every place is written and kept where a claim is of residue.
+  record.residue.resize(claims.residueCount + 1);
+  std::size_t residueCount = 0;
   for (const BoxClaims::Claim& claim : claims) {
-    // Mostly alike for returns that follow each other.
-    if (const std::uint64_t key = ownerKey(claim); key != lastKey)
-      lastKey = key, lastOwner = ownerOf(claim, tracks, record);
-    record.owner[static_cast<std::size_t>(claim.point)] = lastOwner;
-    if (claim.residue) record.residue.push_back({claim.point});
+    record.owner[static_cast<std::size_t>(claim.point)] = ownerOf(claim, tracks, record);
+    record.residue[residueCount].point = claim.point;
+    residueCount += claim.residue;
   }
+  record.residue.pop_back();
 }
 
 /// The owner that has such claims, a new one where there is none yet.
-std::int32_t RecordBuilder::ownerOf(const BoxClaims::Claim& claim, const std::vector<Track>& tracks,
-                                    ScanRecord& record) {
-  const auto next = static_cast<std::int32_t>(record.owners.size());
-  const auto [place, isNew] = claimingOwners_.try_emplace(ownerKey(claim), next);
+inline std::int32_t RecordBuilder::ownerOf(const BoxClaims::Claim& claim,
+                                           const std::vector<Track>& tracks, ScanRecord& record) {
+  const auto [number, isNew] = claimingOwners_.ownerOf(claim);
   if (isNew) {
     Owner& owner = record.owners.emplace_back();
     owner.track = tracks[static_cast<std::size_t>(claim.claimant)].id;
     owner.host = claim.host, owner.residue = claim.residue;
   }
-  return place->second;
+  return number;
 }
 
 void RecordBuilder::addClaims(const SegmentedScan& segmented,

@@ -5,9 +5,9 @@
 #include <toss/segmentation/Segmenter.h>
 #include <toss/tracking/Tracker.h>
 #include <toss/voting/DecisionOptions.h>
-#include <tsl/robin_map.h>
 
 #include "BoxClaims.h"
+#include "ClaimingOwners.h"
 #include "ScanRecord.h"
 
 namespace toss {
@@ -50,8 +50,7 @@ class RecordBuilder {
   bool claiming_;
   int fragmentPoints_;
   BoxClaims claims_;
-  /// Owners that claim, by what their claims have in common.
-  tsl::robin_map<std::uint64_t, std::int32_t> claimingOwners_;
+  ClaimingOwners claimingOwners_;
   /// Memory of scans that need it no more.
   std::vector<LevelPoints> spareLevels_;
   std::vector<std::vector<float>> spareIntensities_;

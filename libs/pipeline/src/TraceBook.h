@@ -13,12 +13,16 @@ namespace toss {
 class TraceBook {
  public:
   TraceBook(const DecisionOptions& options, bool awaitEvidence)
-      : options_(options), awaitEvidence_(awaitEvidence) {}
+      : options_(options), liveOptions_(options), awaitEvidence_(awaitEvidence) {
+    liveOptions_.traceFreeShare = options.liveFreeShare;
+    unknown_.live = fuseTrace(unknown_.motion, unknown_.past, liveOptions_);
+    unknown_.final = fuseTrace(unknown_.motion, unknown_.all, options_);
+  }
 
   /// Takes over the coarse class that tracking has come to.
-  void setMotion(TrackId track, MotionClass motion) { at(track).motion = motion; }
+  void setMotion(TrackId track, MotionClass motion);
   /// Adds what past views say of one more instance of the trace (live), and what all views say.
-  void addPast(TrackId track, const FreeSpaceSum& evidence) { at(track).past.add(evidence); }
+  void addPast(TrackId track, const FreeSpaceSum& evidence);
   void addFinal(TrackId track, const FreeSpaceSum& evidence);
 
   /// Class with no look-ahead.
@@ -35,12 +39,16 @@ class TraceBook {
     MotionClass motion = MotionClass::Static;
     FreeSpaceSum past, all;
     int scansWithEvidence = 0;
+    /// Fused from them: classes are asked for more often than they change.
+    MotionClass live = MotionClass::Static, final = MotionClass::Static;
   };
   Trace& at(TrackId track);
   const Trace* find(TrackId track) const;
 
-  DecisionOptions options_;
+  DecisionOptions options_, liveOptions_;
   bool awaitEvidence_;
+  /// A trace of which nothing has been told.
+  Trace unknown_;
   TrackId first_ = 1;
   std::deque<Trace> traces_;
 };
