@@ -4,6 +4,7 @@
 #include <toss/visibility/FreeSpaceWitness.h>
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <random>
@@ -176,6 +177,18 @@ TEST(FreeSpace, WhatPassesBehindAFenceIsGlimpsedPastAndTheWallBehindItIsNot) {
   EXPECT_LT(objectSum(run(scene, wall, 5.0, standing)[25]).glimpsedShare(), 0.02);
 }
 
+TEST(FreeSpace, AFloorAtAGrazingAngleIsNotGlimpsedPast) {
+  AnalyticScene floor;
+  floor.add(AlignedBox3d(Vector3d(-90, -90, -1.85), Vector3d(90, 90, -1.8)));
+  const auto far = [](const Vector3d& p) { return p.x() > 15.0 && std::fabs(p.y()) < 6.0; };
+  const auto ahead = [](double t) { return Vector3d(1.5 * t, 0, 0); };
+  const auto cells = run([&](double) { return floor; }, far, 5.0, ahead);
+  ASSERT_GT(objectSum(cells[25]).cells, 20);
+  int most = 0;
+  for (const EvidenceCells& scan : cells) most = std::max(most, objectSum(scan).glimpsed);
+  EXPECT_EQ(0, most);
+}
+
 /// A box before the wall that is `y` [m] to the left, seen through a frame of bars near the sensor.
 AnalyticScene behindBars(double y) {
   AnalyticScene scene;
@@ -221,6 +234,14 @@ TEST(FreeSpace, ACeilingAtTheUpperEdgeOfTheViewIsNotSeenThrough) {
   hall.add(AlignedBox3d(Vector3d(150, -90, -9), Vector3d(151, 90, 20)));
   const auto patch = [](const Vector3d& p) { return p.z() > 19.9 && p.x() > 58.0 && p.x() < 64.0; };
   expectNeverFree(hall, patch, 2.6);
+}
+
+TEST(FreeSpace, AFloorBehindACarThatIsLookedOverIsNotSeenThrough) {
+  AnalyticScene street;
+  street.add(AlignedBox3d(Vector3d(-90, -90, -1.85), Vector3d(120, 90, -1.8)));
+  street.add(AlignedBox3d(Vector3d(12, -2, -1.8), Vector3d(14, 2, -0.5)));
+  expectNeverFree(
+      street, [](const Vector3d& p) { return p.x() > 20.0 && std::fabs(p.y()) < 12.0; }, 2.0);
 }
 
 TEST(FreeSpace, FoliageIsNotSeenThroughAsAWhole) {

@@ -25,7 +25,7 @@ TEST(FusedDecision, WhatIsMeasuredAgainStaysHoweverItsTraceMoved) {
 
 TEST(FusedDecision, DoubtfulMotionNeedsGlimpsesPastIt) {
   EXPECT_EQ(MotionClass::Static, fuse(MotionClass::Doubtful, evidence(10, 0, 1, 0)));
-  EXPECT_EQ(MotionClass::Static, fuse(MotionClass::Doubtful, evidence(10, 0, 1, 2)));
+  EXPECT_EQ(MotionClass::Static, fuse(MotionClass::Doubtful, evidence(20, 0, 2, 3)));
   EXPECT_EQ(MotionClass::Strong, fuse(MotionClass::Doubtful, evidence(10, 0, 1, 4)));
 }
 

@@ -137,20 +137,24 @@ void RangeView::fillPixels(Scratch& scratch) {
   std::fill(pixels_.end() - columns_, pixels_.end(), Pixel{kEmpty, kEmpty, 0.0f, kEmpty});
   for (int r = 0; r < rows_; ++r) {
     const auto row = [&](const std::vector<float>& values, int index) {
-      return values.data() + static_cast<std::size_t>(std::clamp(index, 0, rows_ - 1)) * width;
+      return values.data() + static_cast<std::size_t>(std::max(index, 0)) * width;
     };
-    const float *n0 = row(scratch.alongRow, r - 1), *n1 = row(scratch.alongRow, r),
-                *n2 = row(scratch.alongRow, r + 1);
-    const float *f0 = row(scratch.farthestAlongRow, r - 1), *f1 = row(scratch.farthestAlongRow, r),
-                *f2 = row(scratch.farthestAlongRow, r + 1);
-    const std::array<const float*, 3> ranges = {row(scratch.ranges, r - 1), row(scratch.ranges, r),
-                                                row(scratch.ranges, r + 1)};
+    // The row under the lowest is empty; its place is taken by the lowest but in glimpses.
+    const int above = r - 1, under = std::min(r + 1, rows_ - 1), deeper = std::min(r + 2, rows_);
+    const float *n0 = row(scratch.alongRow, above), *n1 = row(scratch.alongRow, r),
+                *n2 = row(scratch.alongRow, under);
+    const float *f0 = row(scratch.farthestAlongRow, above), *f1 = row(scratch.farthestAlongRow, r),
+                *f2 = row(scratch.farthestAlongRow, under),
+                *g1 = row(scratch.farthestAlongRow, r + 1),
+                *g2 = row(scratch.farthestAlongRow, deeper);
+    const std::array<const float*, 3> ranges = {row(scratch.ranges, above), row(scratch.ranges, r),
+                                                row(scratch.ranges, under)};
     Pixel* out = pixels_.data() + static_cast<std::size_t>(r) * width;
     for (std::size_t c = 0; c < width; ++c)
-      out[c] = {ranges[1][c], std::min(std::min(n0[c], n1[c]), n2[c]),
-                std::max(std::max(f0[c], f1[c]), f2[c]), kEmpty};
+      out[c] = {ranges[1][c], std::min(std::min(n0[c], n1[c]), n2[c]), std::max(g1[c], g2[c]),
+                kEmpty};
     for (std::size_t c = 0; c < width; ++c)
-      if (out[c].nearest < occluderShare_ * out[c].farthest)
+      if (out[c].nearest < occluderShare_ * std::max(std::max(f0[c], f1[c]), f2[c]))
         out[c].behind = shortestBehind(ranges, c, width, out[c].nearest / occluderShare_);
     // Past a surface seen at a grazing angle all rays go but those under it.
     for (std::size_t c = 0; c < width; ++c)
@@ -194,10 +198,11 @@ void RangeView::testify(const float* x, const float* y, const float* z, std::siz
       const float past = range + freeMargin_ + freeMarginShare_ * range;
       const float unhidden = nearest < occluderShare_ * range ? kEmpty : nearest;
       const float first = std::min(unhidden, seen[i].behind);
-      const bool free = first > past && first < kEmpty;
+      const bool goesUnder = seen[i].beneath > past;
+      const bool free = first > past && first < kEmpty && goesUnder;
       const bool hit =
           std::fabs(nearest - range) < hitMargin_ || std::fabs(seen[i].range - range) < hitMargin_;
-      const bool glimpse = !hit && seen[i].farthest > past;
+      const bool glimpse = !hit && goesUnder;
       glimpseViews[begin + i] = static_cast<std::uint8_t>(glimpseViews[begin + i] + glimpse);
       freeViews[begin + i] = static_cast<std::uint8_t>(freeViews[begin + i] + free);
       hitViews[begin + i] = static_cast<std::uint8_t>(hitViews[begin + i] + hit);

@@ -20,7 +20,7 @@ void leanTowardsRemoval(DecisionOptions& decision) {
   decision.freeShare = 0.3;
   decision.traceFreeShare = decision.liveFreeShare = 0.2;
   decision.confirmFreeShare = 0.05;
-  decision.doubtfulGlimpsedShare = 0.15;
+  decision.doubtfulGlimpsedShare = 0.1;
   decision.vetoHitShare = 0.7;
   decision.loneFreeViews = 3;
   decision.claimMargin = 0.25;

@@ -37,19 +37,20 @@ class RangeView {
   /// Asks about points given in the level frame of a scan taken at `position` [m, map frame]:
   /// x, y, z [m], shape [count]. Adds 1 to freeViews[i] where the view sees past point i in the
   /// whole neighbourhood of its pixel but for what stands far in front of it, and has returns below
-  /// it, to hitViews[i] where it measures the point itself, and to glimpseViews[i] where it sees
-  /// past it somewhere in the neighbourhood and does not measure it.
+  /// it, to hitViews[i] where it measures the point itself, and to glimpseViews[i] where some ray
+  /// of the two rows below goes past it and none measures it: over ground at a grazing angle those
+  /// above go past anyway, and in views of few rows they go far.
   void testify(const float* x, const float* y, const float* z, std::size_t count,
                const Eigen::Vector3d& position, std::uint8_t* freeViews, std::uint8_t* hitViews,
                std::uint8_t* glimpseViews) const;
 
  private:
   /// Shortest range of a pixel and of its 3 x 3 neighbourhood [m], infinite where empty, the
-  /// longest of the neighbourhood's, 0 where empty, and the shortest of it behind what occludes the
-  /// rest (a window's frame, a trunk), infinite where nothing does, 0 where the row below is empty:
-  /// side by side, since they are asked for together.
+  /// longest of the two rows below, 0 where empty, and the shortest of the neighbourhood behind
+  /// what occludes the rest (a window's frame, a trunk), infinite where nothing does, 0 where the
+  /// row below is empty: side by side, since they are asked for together.
   struct Pixel {
-    float range, nearest, farthest, behind;
+    float range, nearest, beneath, behind;
   };
   void fillRowTable(const std::vector<float>& elevations);
   void fillRanges(const RangeImage& image, const PointCloud& points, Scratch& scratch) const;
