@@ -78,13 +78,16 @@ TEST(RunKeys, TellRunsInReachFromOthers) {
   const auto count = static_cast<std::int32_t>(runs.size());
   const LinkRules rules = rulesOf();
   RunKeys keys;
-  keys.build(runs, rules);
+  keys.build(runs);
   for (std::int32_t run = 0; run < count; ++run) keys.setSet(run, run % 3);
   std::size_t refused = 0;
   for (std::int32_t a = 0; a < count; a += 5) {
     const auto from = static_cast<std::size_t>(a);
-    const RunVicinity vicinity =
-        keys.betweenRows(a, a % 3, runs.firstColumn[from], runs.lastColumn[from]);
+    RunVicinity vicinity;
+    RunKeys::setOwnSet(a % 3, vicinity);
+    RunKeys::setRanges(runs.nearest[from], runs.farthest[from], rules.vertical, vicinity);
+    RunKeys::setSurface(runs.nearest[from], runs.farthest[from], rules.surfaceDistance,
+                        runs.firstColumn[from], runs.lastColumn[from], vicinity);
     for (std::int32_t b = 0; b < count; ++b) {
       const auto to = static_cast<std::size_t>(b);
       const bool close = reaches(runs, from, to, rules.vertical.at(runs.farthest[from]));
@@ -92,8 +95,10 @@ TEST(RunKeys, TellRunsInReachFromOthers) {
                           runs.lastColumn[to] >= runs.firstColumn[from] - 1;
       const bool surface = beside && reaches(runs, from, to, 0.5f);
       const bool other = a % 3 != b % 3;
-      const bool found = (keys.inVicinity<false>(b, vicinity) & 1u) != 0;
-      const bool foundWithSurface = (keys.inVicinity<true>(b, vicinity) & 1u) != 0;
+      // Each run in turn by another bit.
+      const std::int32_t bit = std::min(b, a % RunKeys::kLanes);
+      const bool found = (keys.inVicinity<false>(b - bit, vicinity) >> bit & 1u) != 0;
+      const bool foundWithSurface = (keys.inVicinity<true>(b - bit, vicinity) >> bit & 1u) != 0;
       EXPECT_TRUE(found || !(close && other)) << a << " and " << b;
       EXPECT_TRUE(foundWithSurface || !((close || surface) && other)) << a << " and " << b;
       EXPECT_TRUE(other || !foundWithSurface) << a << " and " << b;
@@ -105,12 +110,16 @@ TEST(RunKeys, TellRunsInReachFromOthers) {
 
 TEST(RunKeys, DoNotTellSetsOfLargeNumbersApart) {
   const RowRuns runs = randomRuns(3);
+  const LinkRules rules = rulesOf();
   RunKeys keys;
-  keys.build(runs, rulesOf());
+  keys.build(runs);
   for (const std::int32_t set : {65533, 65534, 65535, 1 << 20}) {
     keys.setSet(0, set);
     const auto found = [&](std::int32_t own) {
-      return (keys.inVicinity<false>(0, keys.withinRow(0, own)) & 1u) != 0;
+      RunVicinity vicinity;
+      RunKeys::setOwnSet(own, vicinity);
+      RunKeys::setRanges(runs.nearest[0], runs.farthest[0], rules.horizontal, vicinity);
+      return (keys.inVicinity<false>(0, vicinity) & 1u) != 0;
     };
     EXPECT_EQ(found(set), set > 65533) << set;
     EXPECT_TRUE(found(set + 1)) << set;

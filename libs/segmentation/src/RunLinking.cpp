@@ -26,7 +26,7 @@ RunLinking::RunLinking(const ObjectNodes& nodes, const NodeWindows& windows, con
       nextRow_{rules.vertical, kUnlimited, rules.surfaceDistance},
       fartherRow_{rules.vertical, rules.maxHeightGap, 0.0f} {
   search_.columns.build(runs, rules.columns);
-  search_.keys.build(runs, rules);
+  search_.keys.build(runs);
 }
 
 RunLinking::Span RunLinking::runsOf(int row) const {
@@ -53,7 +53,6 @@ void RunLinking::linkRow(int row) {
   linkUpwards(runsOf(row), row, 0);
   linkUpwards(lastOf(row), row, rules_.columns);
   linkUpwards(firstOf(row), row, -rules_.columns);
-  noteSets(runsOf(row));
   linkWithin(runsOf(row), row, 0);
   linkWithin(lastOf(row), row, rules_.columns);
   noteSets({runsOf(std::max(0, row + 1 - rules_.rowWindow)).begin, runsOf(row).end});
@@ -69,20 +68,25 @@ void RunLinking::linkUpwards(Span runs, int row, Index shift) {
   for (Index a = runs.begin; a < runs.end; ++a) {
     const Index first = runs_.firstColumn[at(a)] - shift, last = runs_.lastColumn[at(a)] - shift;
     const Index window = runs_.window[at(a)];
+    const float nearest = runs_.nearest[at(a)], farthest = runs_.farthest[at(a)];
     const RunColumns::Steps columns = search_.columns.stepsOf(first - window, last + window);
     Index root = sets_.find(a);
-    RunVicinity vicinity = search_.keys.betweenRows(a, root, first, last);
+    RunVicinity vicinity;
+    RunKeys::setOwnSet(root, vicinity);
+    RunKeys::setRanges(nearest, farthest, rules_.vertical, vicinity);
+    int upper = row - 1;
     const bool surface = runs_.lowest[at(a)] <= -rules_.surfaceDepth &&
-                         nextRow_.distance.at(runs_.farthest[at(a)]) < nextRow_.surface;
-    for (int upper = row - 1; upper >= std::max(0, row - rules_.rowWindow); --upper) {
-      const Span others = search_.columns.touching(upper, columns);
-      if (upper == row - 1 && surface) {
-        linkNear<true>(a, root, others, vicinity, nextRow_, shift);
-      } else {
-        linkNear<false>(a, root, others, vicinity, upper == row - 1 ? nextRow_ : fartherRow_,
-                        shift);
-      }
+                         nextRow_.distance.at(farthest) < nextRow_.surface;
+    if (surface && upper >= 0) {
+      RunKeys::setSurface(nearest, farthest, rules_.surfaceDistance, first, last, vicinity);
+      linkNear<true>(a, root, search_.columns.touching(upper, columns), vicinity, nextRow_, shift);
+      --upper;
     }
+    for (; upper >= std::max(0, row - rules_.rowWindow); --upper) {
+      linkNear<false>(a, root, search_.columns.touching(upper, columns), vicinity,
+                      upper == row - 1 ? nextRow_ : fartherRow_, shift);
+    }
+    search_.keys.setSet(a, root);
   }
 }
 
@@ -94,25 +98,28 @@ void RunLinking::linkWithin(Span runs, int row, Index shift) {
         search_.columns.touching(row, search_.columns.stepsOf(first - window, last + window));
     if (shift == 0) others.begin = a + 1;
     Index root = sets_.find(a);
-    RunVicinity vicinity = search_.keys.withinRow(a, root);
+    RunVicinity vicinity;
+    RunKeys::setOwnSet(root, vicinity);
+    RunKeys::setRanges(runs_.nearest[at(a)], runs_.farthest[at(a)], rules_.horizontal, vicinity);
     linkNear<false>(a, root, others, vicinity, within_, shift);
   }
 }
 
 /// Links a run, of the set of `root`, with those of others that lie in its vicinity.
 template <bool withSurface>
-void RunLinking::linkNear(Index a, Index& root, Span others, RunVicinity& vicinity,
-                          const Limits& limits, Index shift) {
+[[gnu::always_inline]] inline void RunLinking::linkNear(Index a, Index& root, Span others,
+                                                        RunVicinity& vicinity, const Limits& limits,
+                                                        Index shift) {
   constexpr Index kLanes = RunKeys::kLanes;
   for (Index b = others.begin; b < others.end; b += kLanes) {
-    std::uint32_t candidates = search_.keys.inVicinity<withSurface>(b, vicinity);
-    if (others.end - b < kLanes) candidates &= (1u << (others.end - b)) - 1u;
+    std::uint32_t candidates = search_.keys.inVicinity<withSurface>(b, vicinity) &
+                               ((1u << std::min(others.end - b, kLanes)) - 1u);
     while (candidates != 0) {
       const int lane = __builtin_ctz(candidates);
       candidates &= candidates - 1;
       if (!link(a, root, b + lane, limits, shift)) continue;
       // Many of the others have become of its set.
-      vicinity.set = RunKeys::ofOwnSet(root);
+      RunKeys::setOwnSet(root, vicinity);
       candidates &= search_.keys.inVicinity<withSurface>(b, vicinity);
     }
   }

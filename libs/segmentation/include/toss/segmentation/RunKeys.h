@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #ifdef __SSE2__
@@ -15,24 +16,15 @@
 
 namespace toss {
 
-/// A key that several runs are compared with in one go.
-#ifdef __SSE2__
-using RunKey = __m128i;
-inline RunKey runKey(std::uint16_t key) {
-  return _mm_set1_epi16(static_cast<short>(key));
-}
-#else
-using RunKey = std::uint16_t;
-inline RunKey runKey(std::uint16_t key) {
-  return key;
-}
-#endif
+/// Keys of half the runs that are looked at in one go: what a register of any processor holds.
+using RunKeyLanes [[gnu::vector_size(16)]] = std::int16_t;
 
 /// Where runs lie that may be linked to one run: at ranges nearest..farthest, or at ranges
 /// surfaceNearest..surfaceFarthest in the columns first..last, where they may be of one surface
-/// with it. Runs of its set are linked already. Numbers as in RunKeys.
+/// with it. Runs of its set are linked already. Keys as in RunKeys, the same in all lanes.
 struct RunVicinity {
-  RunKey nearest, farthest, surfaceNearest, surfaceFarthest, first, last, set;
+  RunKeyLanes nearest, farthest, set;
+  RunKeyLanes surfaceNearest = {}, surfaceFarthest = {}, first = {}, last = {};
 };
 
 /// What tells runs that may be linked to a run from others at a glance, in 16 bits each, so that
@@ -40,111 +32,102 @@ struct RunVicinity {
 class RunKeys {
  public:
   /// Runs that are looked at in one go.
-  static constexpr std::int32_t kLanes = 8;
+  static constexpr std::int32_t kLanes = 16;
 
-  void build(const RowRuns& runs, const LinkRules& rules);
+  void build(const RowRuns& runs);
 
-  /// Vicinity of a run in its own row and in other rows. `set`: its own; `first`, `last`: its
-  /// columns.
-  RunVicinity withinRow(std::int32_t run, std::int32_t set) const {
-    const auto r = static_cast<std::size_t>(run);
-    const RunKey none = runKey(0);
-    return {runKey(horizontal_.nearest[r]),
-            runKey(horizontal_.farthest[r]),
-            none,
-            none,
-            none,
-            none,
-            ofOwnSet(set)};
+  /// Sets where runs lie that links of a distance may join to one with ranges nearest..farthest
+  /// [m].
+  static void setRanges(float nearest, float farthest, const LinkRules::Distance& distance,
+                        RunVicinity& vicinity) {
+    const float limit = withHair(distance.at(farthest));
+    vicinity.nearest = spread(ofRange(nearest - limit));
+    vicinity.farthest = spread(ofRange(farthest + limit));
   }
-  RunVicinity betweenRows(std::int32_t run, std::int32_t set, std::int32_t first,
-                          std::int32_t last) const {
-    const auto r = static_cast<std::size_t>(run);
-    return {runKey(vertical_.nearest[r]),
-            runKey(vertical_.farthest[r]),
-            runKey(surface_.nearest[r]),
-            runKey(surface_.farthest[r]),
-            runKey(ofColumn(first - 1)),
-            runKey(ofColumn(last + 1)),
-            ofOwnSet(set)};
+  /// The same for runs of one surface up to `distance` [m] and next to the columns first..last.
+  static void setSurface(float nearest, float farthest, float distance, std::int32_t first,
+                         std::int32_t last, RunVicinity& vicinity) {
+    const float limit = withHair(distance);
+    vicinity.surfaceNearest = spread(ofRange(nearest - limit));
+    vicinity.surfaceFarthest = spread(ofRange(farthest + limit));
+    vicinity.first = spread(ofColumn(first - 1));
+    vicinity.last = spread(ofColumn(last + 1));
+  }
+  /// Sets the set that a run belongs to itself.
+  static void setOwnSet(std::int32_t set, RunVicinity& vicinity) {
+    const auto key = static_cast<std::int16_t>(set < kLargeSet ? set : kLargeSet + 1);
+    vicinity.set = spread(key);
   }
 
   /// Sets the set of a run, which any of its members may stand for. Those of numbers too large are
   /// not told from each other, nor are they the set of any vicinity.
   void setSet(std::int32_t run, std::int32_t set) {
-    set_[static_cast<std::size_t>(run)] = static_cast<std::uint16_t>(std::min(set, kLargeSet));
-  }
-  static RunKey ofOwnSet(std::int32_t set) {
-    return runKey(static_cast<std::uint16_t>(set < kLargeSet ? set : kLargeSet + 1));
+    set_[static_cast<std::size_t>(run)] = static_cast<std::int16_t>(std::min(set, kLargeSet));
   }
 
   /// Bit k: whether run `first` + k lies in the vicinity, for kLanes runs; where there is no run,
   /// its bit means nothing. `withSurface`: or of one surface.
   template <bool withSurface>
-  std::uint32_t inVicinity(std::int32_t first, const RunVicinity& vicinity) const;
+  std::uint32_t inVicinity(std::int32_t first, const RunVicinity& vicinity) const {
+    return bitsOf(halfInVicinity<withSurface>(first, vicinity),
+                  halfInVicinity<withSurface>(first + kHalf, vicinity));
+  }
 
  private:
+  static constexpr std::int32_t kHalf = kLanes / 2;
   static constexpr std::int32_t kLargeSet = 65534;
-  /// Ranges, shape [runs + kLanes].
-  struct Rings {
-    std::vector<std::uint16_t> nearest, farthest;
-  };
+  /// Finer than any link distance; ranges beyond 512 m are not told from each other.
+  static constexpr float kStepsPerMetre = 128.0f;
+  static constexpr std::int32_t kLeast = -32768, kMost = 32767;
 
-  static std::uint16_t ofColumn(std::int32_t column) {
-    return static_cast<std::uint16_t>(std::min(std::max(column, 0), 65535));
+  static std::int16_t ofRange(float range) {
+    const float steps = std::min(std::max(range * kStepsPerMetre, 0.0f), 65535.0f);
+    return static_cast<std::int16_t>(static_cast<std::int32_t>(steps) + kLeast);
   }
-  static void buildRings(const RowRuns& runs, const LinkRules::Distance& distance, Rings& rings);
+  static std::int16_t ofColumn(std::int32_t column) {
+    return static_cast<std::int16_t>(std::min(std::max(column + kLeast, kLeast), kMost));
+  }
+  /// A hair more than a distance, for rounding.
+  static float withHair(float distance) { return 1.001f * distance + 1e-4f; }
 
-  /// Ranges of the runs, and those that their link distances reach.
-  Rings own_, horizontal_, vertical_, surface_;
-  /// Shape [runs + kLanes].
-  std::vector<std::uint16_t> firstColumn_, lastColumn_, set_;
-};
+  static RunKeyLanes spread(std::int16_t key) {
+    return RunKeyLanes{key, key, key, key, key, key, key, key};
+  }
+  static RunKeyLanes load(const std::vector<std::int16_t>& keys, std::int32_t first) {
+    RunKeyLanes lanes;
+    std::memcpy(&lanes, keys.data() + first, sizeof(lanes));
+    return lanes;
+  }
 
+  template <bool withSurface>
+  RunKeyLanes halfInVicinity(std::int32_t first, const RunVicinity& vicinity) const {
+    const RunKeyLanes nearest = load(nearest_, first), farthest = load(farthest_, first);
+    RunKeyLanes outside = (nearest > vicinity.farthest) | (farthest < vicinity.nearest);
+    if (withSurface) {
+      outside &= (nearest > vicinity.surfaceFarthest) | (farthest < vicinity.surfaceNearest) |
+                 (load(firstColumn_, first) > vicinity.last) |
+                 (load(lastColumn_, first) < vicinity.first);
+    }
+    return ~(outside | (load(set_, first) == vicinity.set));
+  }
+
+  /// One bit of each lane; all bits of a lane are the same.
+  static std::uint32_t bitsOf(const RunKeyLanes& low, const RunKeyLanes& high) {
 #ifdef __SSE2__
-
-template <bool withSurface>
-std::uint32_t RunKeys::inVicinity(std::int32_t first, const RunVicinity& vicinity) const {
-  const auto load = [first](const std::vector<std::uint16_t>& keys) {
-    return _mm_loadu_si128(reinterpret_cast<const __m128i*>(keys.data() + first));
-  };
-  // Differences that saturate at zero are zero where nothing is exceeded.
-  const auto outside = [](__m128i low, __m128i high, __m128i least, __m128i most) {
-    return _mm_or_si128(_mm_subs_epu16(low, most), _mm_subs_epu16(least, high));
-  };
-  const __m128i zero = _mm_setzero_si128();
-  const __m128i nearest = load(own_.nearest), farthest = load(own_.farthest);
-  __m128i near =
-      _mm_cmpeq_epi16(outside(nearest, farthest, vicinity.nearest, vicinity.farthest), zero);
-  if (withSurface) {
-    const __m128i far =
-        outside(nearest, farthest, vicinity.surfaceNearest, vicinity.surfaceFarthest);
-    const __m128i aside =
-        outside(load(firstColumn_), load(lastColumn_), vicinity.first, vicinity.last);
-    near = _mm_or_si128(near, _mm_cmpeq_epi16(_mm_or_si128(far, aside), zero));
-  }
-  near = _mm_andnot_si128(_mm_cmpeq_epi16(load(set_), vicinity.set), near);
-  return static_cast<std::uint32_t>(_mm_movemask_epi8(_mm_packs_epi16(near, zero)));
-}
-
+    const __m128i packed = _mm_packs_epi16(reinterpret_cast<const __m128i&>(low),
+                                           reinterpret_cast<const __m128i&>(high));
+    return static_cast<std::uint32_t>(_mm_movemask_epi8(packed));
 #else
-
-template <bool withSurface>
-std::uint32_t RunKeys::inVicinity(std::int32_t first, const RunVicinity& vicinity) const {
-  std::uint32_t bits = 0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(kLanes); ++k) {
-    const std::size_t run = static_cast<std::size_t>(first) + k;
-    const std::uint16_t nearest = own_.nearest[run], farthest = own_.farthest[run];
-    const bool near = nearest <= vicinity.farthest && farthest >= vicinity.nearest;
-    const bool surface = nearest <= vicinity.surfaceFarthest &&
-                         farthest >= vicinity.surfaceNearest &&
-                         firstColumn_[run] <= vicinity.last && lastColumn_[run] >= vicinity.first;
-    const bool candidate = (near || (withSurface && surface)) && set_[run] != vicinity.set;
-    bits |= static_cast<std::uint32_t>(candidate) << k;
-  }
-  return bits;
-}
-
+    std::uint32_t bits = 0;
+    for (int lane = 0; lane < kHalf; ++lane) {
+      bits |= (low[lane] & 1u) << lane | (high[lane] & 1u) << (lane + kHalf);
+    }
+    return bits;
 #endif
+  }
+
+  /// Ranges, columns and sets of the runs, shape [runs + kLanes].
+  std::vector<std::int16_t> nearest_, farthest_, firstColumn_, lastColumn_, set_;
+};
 
 }  // namespace toss
