@@ -22,15 +22,15 @@ RowRuns randomRuns(unsigned seed) {
   runs.rowBegin.assign(1, 0);
   for (int row = 0; row < kRows; ++row) {
     for (std::int32_t column = gap(random); column < kColumns; column += gap(random)) {
-      const auto first = static_cast<std::int32_t>(runs.begin.size());
-      runs.begin.push_back(first), runs.end.push_back(first + 1);
-      runs.firstColumn.push_back(column);
+      Run run{};
+      run.firstColumn = column;
       column = std::min(column + length(random), kColumns - 1);
-      runs.lastColumn.push_back(column++);
-      runs.nearest.push_back(range(random) + (row == kRows - 1 ? 600.0f : 0.0f));
-      runs.farthest.push_back(runs.nearest.back() + depth(random));
+      run.lastColumn = column++;
+      run.measure.nearest = range(random) + (row == kRows - 1 ? 600.0f : 0.0f);
+      run.farthest = run.measure.nearest + depth(random);
+      runs.runs.push_back(run);
     }
-    runs.rowBegin.push_back(static_cast<std::int32_t>(runs.begin.size()));
+    runs.rowBegin.push_back(static_cast<std::int32_t>(runs.size()));
   }
   return runs;
 }
@@ -45,8 +45,9 @@ LinkRules rulesOf() {
 }
 
 bool reaches(const RowRuns& runs, std::size_t from, std::size_t to, float distance) {
-  return runs.nearest[to] <= runs.farthest[from] + distance &&
-         runs.farthest[to] >= runs.nearest[from] - distance;
+  const Run &one = runs.runs[from], &other = runs.runs[to];
+  return other.measure.nearest <= one.farthest + distance &&
+         other.farthest >= one.measure.nearest - distance;
 }
 
 TEST(RunColumns, FindsEveryRunThatTouchesTheColumns) {
@@ -62,10 +63,11 @@ TEST(RunColumns, FindsEveryRunThatTouchesTheColumns) {
       for (auto run = runs.rowBegin[static_cast<std::size_t>(row)];
            run < runs.rowBegin[static_cast<std::size_t>(row) + 1]; ++run) {
         const auto r = static_cast<std::size_t>(run);
-        const bool touches = runs.firstColumn[r] <= right && runs.lastColumn[r] >= left;
+        const bool touches = runs.runs[r].firstColumn <= right && runs.runs[r].lastColumn >= left;
         const bool isFound = run >= found.begin && run < found.end;
         EXPECT_TRUE(isFound || !touches) << "row " << row << ", left " << left << ", run " << run;
-        const bool near = runs.firstColumn[r] <= right + 4 && runs.lastColumn[r] >= left - 4;
+        const bool near =
+            runs.runs[r].firstColumn <= right + 4 && runs.runs[r].lastColumn >= left - 4;
         const bool outside = right < 0 || left >= kColumns;
         EXPECT_TRUE(!isFound || near || outside) << "row " << row << ", left " << left;
       }
@@ -85,14 +87,16 @@ TEST(RunKeys, TellRunsInReachFromOthers) {
     const auto from = static_cast<std::size_t>(a);
     RunVicinity vicinity;
     RunKeys::setOwnSet(a % 3, vicinity);
-    RunKeys::setRanges(runs.nearest[from], runs.farthest[from], rules.vertical, vicinity);
-    RunKeys::setSurface(runs.nearest[from], runs.farthest[from], rules.surfaceDistance,
-                        runs.firstColumn[from], runs.lastColumn[from], vicinity);
+    const auto& run = runs[a];
+    const float nearest = run.measure.nearest;
+    RunKeys::setRanges(nearest, run.farthest, rules.vertical, vicinity);
+    RunKeys::setSurface(nearest, run.farthest, rules.surfaceDistance, run.firstColumn,
+                        run.lastColumn, vicinity);
     for (std::int32_t b = 0; b < count; ++b) {
       const auto to = static_cast<std::size_t>(b);
-      const bool close = reaches(runs, from, to, rules.vertical.at(runs.farthest[from]));
-      const bool beside = runs.firstColumn[to] <= runs.lastColumn[from] + 1 &&
-                          runs.lastColumn[to] >= runs.firstColumn[from] - 1;
+      const bool close = reaches(runs, from, to, rules.vertical.at(run.farthest));
+      const bool beside =
+          runs[b].firstColumn <= run.lastColumn + 1 && runs[b].lastColumn >= run.firstColumn - 1;
       const bool surface = beside && reaches(runs, from, to, 0.5f);
       const bool other = a % 3 != b % 3;
       // Each run in turn by another bit.
@@ -118,7 +122,7 @@ TEST(RunKeys, DoNotTellSetsOfLargeNumbersApart) {
     const auto found = [&](std::int32_t own) {
       RunVicinity vicinity;
       RunKeys::setOwnSet(own, vicinity);
-      RunKeys::setRanges(runs.nearest[0], runs.farthest[0], rules.horizontal, vicinity);
+      RunKeys::setRanges(runs[0].measure.nearest, runs[0].farthest, rules.horizontal, vicinity);
       return (keys.inVicinity<false>(0, vicinity) & 1u) != 0;
     };
     EXPECT_EQ(found(set), set > 65533) << set;

@@ -44,7 +44,8 @@ void LargeComponentSplit::split(const ObjectNodes& nodes, const LinkRules& rules
       addPiece(wholes.runs(), run, whole, wholes.components()[at(whole)], result);
     }
     if (selected_[run] == 0) continue;
-    for (; part < parts_.runs().size() && parts_.runs().begin[part] < wholes.runs().end[run];
+    for (; part < parts_.runs().size() &&
+           parts_.runs().runs[part].begin < wholes.runs().runs[run].end;
          ++part) {
       if (!verdicts_[at(whole)].split) continue;
       const std::int32_t target = target_[at(parts_.componentOfRun()[part])];
@@ -61,7 +62,7 @@ void LargeComponentSplit::addPiece(const RowRuns& runs, std::size_t run, std::in
     number = static_cast<std::int32_t>(result.measures.size());
     result.measures.push_back(measure);
   }
-  result.pieces.push_back({runs.begin[run], runs.end[run], number});
+  result.pieces.push_back({runs.runs[run].begin, runs.runs[run].end, number});
 }
 
 bool LargeComponentSplit::selectLarge(const NodeClustering& wholes) {
@@ -86,7 +87,8 @@ void LargeComponentSplit::clusterAgain(const ObjectNodes& nodes, const LinkRules
   std::size_t part = 0;
   for (std::size_t run = 0; run < wholes.runs().size(); ++run) {
     if (selected_[run] == 0) continue;
-    for (; part < parts_.runs().size() && parts_.runs().begin[part] < wholes.runs().end[run];
+    for (; part < parts_.runs().size() &&
+           parts_.runs().runs[part].begin < wholes.runs().runs[run].end;
          ++part) {
       wholeOfPart_[at(parts_.componentOfRun()[part])] = wholes.componentOfRun()[run];
     }

@@ -54,7 +54,8 @@ class NearestInstance {
   void consider(std::size_t node) {
     const std::int32_t instance = instanceOfNode_[node];
     if (instance == 0) return;
-    const float dx = nodes_.x[node] - x_, dy = nodes_.y[node] - y_, dz = nodes_.z[node] - z_;
+    const ObjectNodes::Place& place = nodes_.places[node];
+    const float dx = place.x - x_, dy = place.y - y_, dz = place.z - z_;
     const float distance2 = dx * dx + dy * dy + dz * dz;
     if (distance2 >= nearest2_) return;
     nearest2_ = distance2;

@@ -32,7 +32,7 @@ void NodeClustering::link(const ObjectNodes& nodes, const NodeWindows& windows,
       components_.emplace_back();
     }
     componentOfRun_[run] = componentOfRun_[root];
-    components_[static_cast<std::size_t>(componentOfRun_[run])].merge(runs_.measures[run]);
+    components_[static_cast<std::size_t>(componentOfRun_[run])].merge(runs_.runs[run].measure);
   }
 }
 

@@ -109,22 +109,20 @@ void countReturns(ObjectNodes& nodes) {
   for (const std::int32_t node : nodes.mateNode) ++nodes.returns[static_cast<std::size_t>(node)];
 }
 
-void takeCoordinates(const LevelPoints& points, ObjectNodes& nodes) {
+void takePlaces(const LevelPoints& points, ObjectNodes& nodes) {
   const std::size_t n = nodes.size();
-  nodes.x.resize(n), nodes.y.resize(n), nodes.z.resize(n);
+  nodes.places.resize(n);
+  nodes.x.resize(n), nodes.y.resize(n), nodes.range.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     const auto point = static_cast<std::size_t>(nodes.point[i]);
-    nodes.x[i] = points.x[point], nodes.y[i] = points.y[point], nodes.z[i] = points.z[point];
+    const float x = points.x[point], y = points.y[point];
+    const float range = std::sqrt(x * x + y * y);
+    nodes.places[i] = {x, y, points.z[point], range};
+    nodes.x[i] = x, nodes.y[i] = y, nodes.range[i] = range;
   }
 }
 
 // The compiler vectorises these only as functions of arrays that are known not to overlap.
-
-TOSS_ALSO_FOR_AVX2
-void findRanges(const float* __restrict x, const float* __restrict y, std::size_t n,
-                float* __restrict range) {
-  for (std::size_t i = 0; i < n; ++i) range[i] = std::sqrt(x[i] * x[i] + y[i] * y[i]);
-}
 
 TOSS_ALSO_FOR_AVX2
 void findWindows(const LinkRules& rules, const float* __restrict range, std::size_t n,
@@ -165,9 +163,7 @@ void gatherNodes(const LevelPoints& points, const RangeImage& image,
   const std::size_t n = nodes.count;
   result.point.resize(n), result.column.resize(n);
   countReturns(result);
-  takeCoordinates(points, result);
-  result.range.resize(n);
-  findRanges(result.x.data(), result.y.data(), n, result.range.data());
+  takePlaces(points, result);
   result.windows.resize(n);
   findWindows(rules, result.range.data(), n, result.windows.data());
 }

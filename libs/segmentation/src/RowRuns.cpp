@@ -2,6 +2,7 @@
 #include <toss/geometry/ProcessorVariants.h>
 #include <toss/segmentation/RowRuns.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 
 namespace toss {
@@ -27,10 +28,29 @@ void linkNeighbours(const float* __restrict x, const float* __restrict y,
   }
 }
 
+/// Takes in one node after the other, all their coordinates in one go.
+Run measured(const ObjectNodes& nodes, const NodeWindows& windows, std::int32_t begin,
+             std::int32_t end) {
+  using Place = Eigen::Map<const Eigen::Array4f>;
+  const std::size_t first = at(begin), last = at(end - 1);
+  Eigen::Array4f least = Place(&nodes.places[first].x), most = least;
+  std::int32_t returns = nodes.returns[first], window = windows[first];
+  for (std::size_t i = first + 1; i <= last; ++i) {
+    const Place place(&nodes.places[i].x);
+    least = least.min(place), most = most.max(place);
+    returns += nodes.returns[i];
+    window = std::max(window, windows[i]);
+  }
+  const Component measure{returns, least[3], least[0], most[0], least[1], most[1]};
+  return {begin, end, nodes.column[first], nodes.column[last], window, least[2], most[3], measure};
+}
+
 }  // namespace
 
-void RowRuns::clear() {
-  begin.clear(), end.clear();
+void RowRuns::clear(std::size_t nodes) {
+  // Room for as many runs as nodes, and for what is written beyond the last.
+  if (begin_.size() < nodes + 1) begin_.resize(nodes + 1), end_.resize(nodes + 1);
+  count_ = 0;
   rowBegin.assign(1, 0);
 }
 
@@ -42,24 +62,24 @@ void RowRuns::findLinks(const ObjectNodes& nodes, const NodeWindows& windows,
 }
 
 void RowRuns::build(const ObjectNodes& nodes, const LinkRules& rules) {
-  clear();
+  clear(nodes.size());
   findLinks(nodes, nodes.windows, rules);
   for (std::size_t row = 0; row + 1 < nodes.rowBegin.size(); ++row) {
     cut(nodes.rowBegin[row], nodes.rowBegin[row + 1]);
-    rowBegin.push_back(static_cast<std::int32_t>(size()));
+    rowBegin.push_back(static_cast<std::int32_t>(count_));
   }
   measure(nodes, nodes.windows);
 }
 
 void RowRuns::build(const ObjectNodes& nodes, const NodeWindows& windows, const LinkRules& rules,
                     const RowRuns& whole, const std::vector<std::uint8_t>& selected) {
-  clear();
+  clear(nodes.size());
   findLinks(nodes, windows, rules);
   for (std::size_t row = 0; row + 1 < whole.rowBegin.size(); ++row) {
     for (std::int32_t run = whole.rowBegin[row]; run < whole.rowBegin[row + 1]; ++run) {
-      if (selected[at(run)] != 0) cut(whole.begin[at(run)], whole.end[at(run)]);
+      if (selected[at(run)] != 0) cut(whole[run].begin, whole[run].end);
     }
-    rowBegin.push_back(static_cast<std::int32_t>(size()));
+    rowBegin.push_back(static_cast<std::int32_t>(count_));
   }
   measure(nodes, windows);
 }
@@ -67,49 +87,23 @@ void RowRuns::build(const ObjectNodes& nodes, const NodeWindows& windows, const 
 /// Without branches, as no one could foretell where runs end.
 void RowRuns::cut(std::int32_t first, std::int32_t last) {
   if (first == last) return;
-  const std::size_t before = begin.size();
-  const auto most = before + static_cast<std::size_t>(last - first);
-  begin.resize(most), end.resize(most);
-  begin[before] = first;
-  std::size_t run = before;
+  std::size_t run = count_;
+  begin_[run] = first;
   for (std::int32_t node = first + 1; node < last; ++node) {
-    end[run] = node, begin[run + 1] = node;
+    end_[run] = node, begin_[run + 1] = node;
     run += linked_[at(node)] == 0 ? 1 : 0;
   }
-  end[run] = last;
-  begin.resize(run + 1), end.resize(run + 1);
+  end_[run] = last;
+  count_ = run + 1;
 }
 
 void RowRuns::measure(const ObjectNodes& nodes, const NodeWindows& windows) {
-  const std::size_t n = size();
-  firstColumn.resize(n), lastColumn.resize(n);
-  nearest.resize(n), farthest.resize(n), lowest.resize(n), measures.resize(n), window.resize(n);
+  runs.resize(count_);
   widest = 0;
-  for (std::size_t run = 0; run < n; ++run) {
-    const std::size_t first = at(begin[run]), last = at(end[run]);
-    firstColumn[run] = nodes.column[first], lastColumn[run] = nodes.column[last - 1];
-    measureRun(nodes, windows, run, first, last);
-    widest = std::max(widest, window[run]);
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    runs[run] = measured(nodes, windows, begin_[run], end_[run]);
+    widest = std::max(widest, runs[run].window);
   }
-}
-
-void RowRuns::measureRun(const ObjectNodes& nodes, const NodeWindows& windows, std::size_t run,
-                         std::size_t first, std::size_t last) {
-  const auto ofNode = [&](std::size_t i) {
-    return Component{nodes.returns[i], nodes.range[i], nodes.x[i],
-                     nodes.x[i],       nodes.y[i],     nodes.y[i]};
-  };
-  Component whole = ofNode(first);
-  float low = nodes.z[first], far = nodes.range[first];
-  std::int32_t columns = windows[first];
-  for (std::size_t i = first + 1; i < last; ++i) {
-    whole.merge(ofNode(i));
-    low = std::min(low, nodes.z[i]);
-    far = std::max(far, nodes.range[i]);
-    columns = std::max(columns, windows[i]);
-  }
-  nearest[run] = whole.nearest, farthest[run] = far, lowest[run] = low, window[run] = columns;
-  measures[run] = whole;
 }
 
 }  // namespace toss

@@ -13,10 +13,9 @@ void RunColumns::build(const RowRuns& runs, std::int32_t columns) {
   for (std::size_t row = 0; row < rows; ++row) {
     std::int32_t* const endingBefore = endingBefore_.data() + row * steps_;
     std::int32_t* const beginningIn = beginningIn_.data() + row * steps_;
-    const auto last = static_cast<std::size_t>(runs.rowBegin[row + 1]);
-    for (auto run = static_cast<std::size_t>(runs.rowBegin[row]); run < last; ++run) {
-      ++endingBefore[stepOf(runs.lastColumn[run]) + 1];
-      ++beginningIn[stepOf(runs.firstColumn[run])];
+    for (std::int32_t run = runs.rowBegin[row]; run < runs.rowBegin[row + 1]; ++run) {
+      ++endingBefore[stepOf(runs[run].lastColumn) + 1];
+      ++beginningIn[stepOf(runs[run].firstColumn)];
     }
     std::int32_t ended = runs.rowBegin[row], begun = runs.rowBegin[row];
     for (std::size_t step = 0; step < steps_; ++step) {

@@ -9,12 +9,13 @@ void RunKeys::build(const RowRuns& runs) {
     keys->resize(padded);
   }
   const float hair = withHair(0.0f);
-  for (std::size_t run = 0; run < n; ++run) {
-    nearest_[run] = ofRange(runs.nearest[run] - hair);
-    farthest_[run] = ofRange(runs.farthest[run] + hair);
-    firstColumn_[run] = ofColumn(runs.firstColumn[run]);
-    lastColumn_[run] = ofColumn(runs.lastColumn[run]);
-    setSet(static_cast<std::int32_t>(run), static_cast<std::int32_t>(run));
+  for (std::size_t i = 0; i < n; ++i) {
+    const Run& run = runs.runs[i];
+    nearest_[i] = ofRange(run.measure.nearest - hair);
+    farthest_[i] = ofRange(run.farthest + hair);
+    firstColumn_[i] = ofColumn(run.firstColumn);
+    lastColumn_[i] = ofColumn(run.lastColumn);
+    setSet(static_cast<std::int32_t>(i), static_cast<std::int32_t>(i));
   }
 }
 

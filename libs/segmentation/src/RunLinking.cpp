@@ -12,6 +12,12 @@ constexpr float kUnlimited = std::numeric_limits<float>::max();
 /// Nodes up to which a run is walked along rather than searched.
 constexpr std::int32_t kShort = 16;
 
+/// Node of a run that lies in a column or, as some columns have none, a little right of it.
+std::size_t nodeNear(const Run& run, std::int32_t column) {
+  const std::int32_t place = run.begin + column - run.firstColumn;
+  return static_cast<std::size_t>(std::max(run.begin, std::min(place, run.end - 1)));
+}
+
 }  // namespace
 
 RunLinking::RunLinking(const ObjectNodes& nodes, const NodeWindows& windows, const RowRuns& runs,
@@ -37,7 +43,7 @@ RunLinking::Span RunLinking::runsOf(int row) const {
 RunLinking::Span RunLinking::firstOf(int row) const {
   const Span all = runsOf(row);
   Span first{all.begin, all.begin};
-  while (first.end < all.end && runs_.firstColumn[at(first.end)] < runs_.widest) ++first.end;
+  while (first.end < all.end && runs_[first.end].firstColumn < runs_.widest) ++first.end;
   return first;
 }
 
@@ -45,7 +51,7 @@ RunLinking::Span RunLinking::lastOf(int row) const {
   const Span all = runsOf(row);
   Span last{all.end, all.end};
   const Index end = rules_.columns - runs_.widest;
-  while (last.begin > all.begin && runs_.lastColumn[at(last.begin - 1)] >= end) --last.begin;
+  while (last.begin > all.begin && runs_[last.begin - 1].lastColumn >= end) --last.begin;
   return last;
 }
 
@@ -66,17 +72,18 @@ void RunLinking::noteSets(Span runs) {
 
 void RunLinking::linkUpwards(Span runs, int row, Index shift) {
   for (Index a = runs.begin; a < runs.end; ++a) {
-    const Index first = runs_.firstColumn[at(a)] - shift, last = runs_.lastColumn[at(a)] - shift;
-    const Index window = runs_.window[at(a)];
-    const float nearest = runs_.nearest[at(a)], farthest = runs_.farthest[at(a)];
-    const RunColumns::Steps columns = search_.columns.stepsOf(first - window, last + window);
+    const Run& run = runs_[a];
+    const Index first = run.firstColumn - shift, last = run.lastColumn - shift;
+    const float nearest = run.measure.nearest, farthest = run.farthest;
+    const RunColumns::Steps columns =
+        search_.columns.stepsOf(first - run.window, last + run.window);
     Index root = sets_.find(a);
     RunVicinity vicinity;
     RunKeys::setOwnSet(root, vicinity);
     RunKeys::setRanges(nearest, farthest, rules_.vertical, vicinity);
     int upper = row - 1;
-    const bool surface = runs_.lowest[at(a)] <= -rules_.surfaceDepth &&
-                         nextRow_.distance.at(farthest) < nextRow_.surface;
+    const bool surface =
+        run.lowest <= -rules_.surfaceDepth && nextRow_.distance.at(farthest) < nextRow_.surface;
     if (surface && upper >= 0) {
       RunKeys::setSurface(nearest, farthest, rules_.surfaceDistance, first, last, vicinity);
       linkNear<true>(a, root, search_.columns.touching(upper, columns), vicinity, nextRow_, shift);
@@ -92,15 +99,15 @@ void RunLinking::linkUpwards(Span runs, int row, Index shift) {
 
 void RunLinking::linkWithin(Span runs, int row, Index shift) {
   for (Index a = runs.begin; a < runs.end; ++a) {
-    const Index first = runs_.firstColumn[at(a)] - shift, last = runs_.lastColumn[at(a)] - shift;
-    const Index window = runs_.window[at(a)];
-    Span others =
-        search_.columns.touching(row, search_.columns.stepsOf(first - window, last + window));
+    const Run& run = runs_[a];
+    const Index first = run.firstColumn - shift, last = run.lastColumn - shift;
+    Span others = search_.columns.touching(
+        row, search_.columns.stepsOf(first - run.window, last + run.window));
     if (shift == 0) others.begin = a + 1;
     Index root = sets_.find(a);
     RunVicinity vicinity;
     RunKeys::setOwnSet(root, vicinity);
-    RunKeys::setRanges(runs_.nearest[at(a)], runs_.farthest[at(a)], rules_.horizontal, vicinity);
+    RunKeys::setRanges(run.measure.nearest, run.farthest, rules_.horizontal, vicinity);
     linkNear<false>(a, root, others, vicinity, within_, shift);
   }
 }
@@ -130,10 +137,10 @@ template <bool withSurface>
 bool RunLinking::link(Index a, Index& root, Index b, const Limits& limits, Index shift) {
   const Index rootOfB = sets_.find(b);
   if (root == rootOfB) return false;
-  const Index nodes =
-      (runs_.end[at(a)] - runs_.begin[at(a)]) + (runs_.end[at(b)] - runs_.begin[at(b)]);
-  const bool linked = touchMidway(a, b, limits, shift) ||
-                      (nodes > 2 && !apart(a, b, limits) && touches(a, b, limits, shift));
+  const Run &one = runs_[a], &other = runs_[b];
+  const bool linked = touchMidway(one, other, limits, shift) ||
+                      (nodesOf(one) + nodesOf(other) > 2 && !apart(one, other, limits) &&
+                       touches(one, other, limits, shift));
   if (linked) {
     sets_.uniteRoots(root, rootOfB);
     root = std::min(root, rootOfB);
@@ -141,47 +148,39 @@ bool RunLinking::link(Index a, Index& root, Index b, const Limits& limits, Index
   return linked;
 }
 
-/// Node of a run that lies in a column or, as some columns have none, a little right of it.
-std::size_t RunLinking::nodeNear(Index run, Index column) const {
-  const Index place = runs_.begin[at(run)] + column - runs_.firstColumn[at(run)];
-  return at(std::max(runs_.begin[at(run)], std::min(place, runs_.end[at(run)] - 1)));
-}
-
 /// Whether nodes midway of the columns that two runs share are linked, as they are where surfaces
 /// go on from row to row: this spares most of the searches.
-bool RunLinking::touchMidway(Index a, Index b, const Limits& limits, Index shift) const {
-  const Index left = std::max(runs_.firstColumn[at(a)], runs_.firstColumn[at(b)] + shift);
-  const Index right = std::min(runs_.lastColumn[at(a)], runs_.lastColumn[at(b)] + shift);
+bool RunLinking::touchMidway(const Run& a, const Run& b, const Limits& limits, Index shift) const {
+  const Index left = std::max(a.firstColumn, b.firstColumn + shift);
+  const Index right = std::min(a.lastColumn, b.lastColumn + shift);
   const Index column = (left + right) / 2;
   const std::size_t p = nodeNear(a, column), q = nodeNear(b, column - shift);
   return linkedNodes(p, q, limits, std::abs(nodes_.column[p] - shift - nodes_.column[q]));
 }
 
-bool RunLinking::apart(Index a, Index b, const Limits& limits) const {
-  const Component& one = runs_.measures[at(a)];
-  const Component& other = runs_.measures[at(b)];
+bool RunLinking::apart(const Run& a, const Run& b, const Limits& limits) {
+  const Component &one = a.measure, &other = b.measure;
   const float dx = std::max(std::max(one.minX - other.maxX, other.minX - one.maxX), 0.0f);
   const float dy = std::max(std::max(one.minY - other.maxY, other.minY - one.maxY), 0.0f);
-  const float longest = limits.distance.at(std::min(runs_.farthest[at(a)], runs_.farthest[at(b)]));
+  const float longest = limits.distance.at(std::min(a.farthest, b.farthest));
   const float limit = std::max(longest, limits.surface);
   return dx * dx + dy * dy >= limit * limit;
 }
 
-bool RunLinking::touches(Index a, Index b, const Limits& limits, Index shift) const {
+bool RunLinking::touches(const Run& a, const Run& b, const Limits& limits, Index shift) const {
   const Index* const column = nodes_.column.data();
-  const Index window = std::min(runs_.window[at(a)], runs_.window[at(b)]);
-  const Index last = runs_.lastColumn[at(b)] + shift + window;
-  const Index endOfA = runs_.end[at(a)], endOfB = runs_.end[at(b)];
+  const Index window = std::min(a.window, b.window);
+  const Index last = b.lastColumn + shift + window;
   // Runs are mostly short: only in long ones is the first node in reach searched for.
-  const Index first = runs_.firstColumn[at(b)] + shift - window;
-  Index p = runs_.begin[at(a)], low = runs_.begin[at(b)];
-  if (endOfA - p > kShort) p = firstFrom(p, endOfA, first);
-  while (p < endOfA && column[p] < first) ++p;
-  if (p < endOfA && endOfB - low > kShort) low = firstFrom(low, endOfB, column[p] - shift - window);
-  for (; p < endOfA && column[p] <= last; ++p) {
+  const Index first = b.firstColumn + shift - window;
+  Index p = a.begin, low = b.begin;
+  if (a.end - p > kShort) p = firstFrom(p, a.end, first);
+  while (p < a.end && column[p] < first) ++p;
+  if (p < a.end && b.end - low > kShort) low = firstFrom(low, b.end, column[p] - shift - window);
+  for (; p < a.end && column[p] <= last; ++p) {
     const Index here = column[p] - shift;
-    while (low < endOfB && column[low] < here - window) ++low;
-    for (Index q = low; q < endOfB && column[q] <= here + window; ++q) {
+    while (low < b.end && column[low] < here - window) ++low;
+    for (Index q = low; q < b.end && column[q] <= here + window; ++q) {
       if (linkedNodes(at(p), at(q), limits, std::abs(here - column[q]))) return true;
     }
   }
@@ -196,15 +195,16 @@ RunLinking::Index RunLinking::firstFrom(Index begin, Index end, Index column) co
 
 bool RunLinking::linkedNodes(std::size_t a, std::size_t b, const Limits& limits,
                              Index columnGap) const {
-  const float dx = nodes_.x[a] - nodes_.x[b], dy = nodes_.y[a] - nodes_.y[b];
+  const ObjectNodes::Place &one = nodes_.places[a], &other = nodes_.places[b];
+  const float dx = one.x - other.x, dy = one.y - other.y;
   const float squared = dx * dx + dy * dy;
-  const float limit = limits.distance.at(std::min(nodes_.range[a], nodes_.range[b]));
+  const float limit = limits.distance.at(std::min(one.range, other.range));
   const Index window = std::min(windows_[a], windows_[b]);
   // Without branches, as no one could foretell them.
   const bool near = (squared < limit * limit) & (columnGap <= window) &
-                    (std::abs(nodes_.z[a] - nodes_.z[b]) <= limits.height);
+                    (std::abs(one.z - other.z) <= limits.height);
   const bool ofOneSurface = (squared < limits.surface * limits.surface) & (columnGap <= 1) &
-                            (std::max(nodes_.z[a], nodes_.z[b]) <= -rules_.surfaceDepth);
+                            (std::max(one.z, other.z) <= -rules_.surfaceDepth);
   return near | ofOneSurface;
 }
 

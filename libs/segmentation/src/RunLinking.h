@@ -34,6 +34,7 @@ class RunLinking {
     float height, surface;
   };
   static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+  static Index nodesOf(const Run& run) { return run.end - run.begin; }
   Span runsOf(int row) const;
   /// The first and the last runs of a row, which may lie in reach of each other across the seam.
   Span firstOf(int row) const;
@@ -48,11 +49,10 @@ class RunLinking {
   void linkNear(Index a, Index& root, Span others, RunVicinity& vicinity, const Limits& limits,
                 Index shift);
   bool link(Index a, Index& root, Index b, const Limits& limits, Index shift);
-  std::size_t nodeNear(Index run, Index column) const;
-  bool touchMidway(Index a, Index b, const Limits& limits, Index shift) const;
+  bool touchMidway(const Run& a, const Run& b, const Limits& limits, Index shift) const;
   /// Whether the rectangles around two runs are too far apart for any of their nodes to be linked.
-  bool apart(Index a, Index b, const Limits& limits) const;
-  bool touches(Index a, Index b, const Limits& limits, Index shift) const;
+  static bool apart(const Run& a, const Run& b, const Limits& limits);
+  bool touches(const Run& a, const Run& b, const Limits& limits, Index shift) const;
   Index firstFrom(Index begin, Index end, Index column) const;
   bool linkedNodes(std::size_t a, std::size_t b, const Limits& limits, Index columnGap) const;
 

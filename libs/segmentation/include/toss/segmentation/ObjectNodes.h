@@ -18,9 +18,14 @@ using NodeWindows = std::vector<std::int32_t>;
 /// seen in one pixel, and what is clustered. Returns of a pixel that lie on one surface share a
 /// node, so every return above ground is a node or a mate of one. Struct of arrays.
 struct ObjectNodes {
-  /// Coordinates in the level frame [m], and horizontal distance from the sensor [m], shape
-  /// [nodes].
-  std::vector<float> x, y, z, range;
+  /// Coordinates in the level frame [m], and horizontal distance from the sensor [m].
+  struct Place {
+    float x, y, z, range;
+  };
+  /// Shape [nodes].
+  std::vector<Place> places;
+  /// The same for those who go through all nodes, shape [nodes].
+  std::vector<float> x, y, range;
   /// Column in the range image, index of the point that stands for the node, and number of returns
   /// that share it, shape [nodes].
   std::vector<std::int32_t> column, point, returns;
