@@ -3,6 +3,7 @@
 #include <toss/geometry/Error.h>
 
 #include <algorithm>
+#include <deque>
 
 #include "RandomReturns.h"
 
@@ -185,16 +186,20 @@ TEST_P(StaticMaps, DecidedScansEqualThoseThatAreSettled) {
              settled = makeStaticMap(options(), {0, 0, 0});
   std::vector<bool> dynamic(kOwners, false);
   dynamic[kMover] = true;
+  std::deque<RandomReturns> scans;
+  std::deque<std::vector<std::int32_t>> owners;
   for (BoxId firstBox = 0; firstBox < 70; firstBox += kOwners) {
     // Dense, so that the limit of what an owner may add to a voxel shows.
-    const RandomReturns returns(random, 2000, 0.5f);
-    std::vector<std::int32_t> owner(returns.all.size());
+    const RandomReturns& returns = scans.emplace_back(random, 2000, 0.5f);
+    std::vector<std::int32_t>& owner = owners.emplace_back(returns.all.size());
     for (std::int32_t& each : owner) each = static_cast<std::int32_t>(random() % (kOwners + 1)) - 1;
     settled->addScan(returns.scan(), owner, dynamic, firstBox);
     for (BoxId k = 1; k < kOwners; ++k) settled->settleBox(firstBox + k);
     std::replace(owner.begin(), owner.end(), kMover, -1);
-    decided->addDecided(returns.scan(), owner);
   }
+  decided->addDecided(scans.size(), [&](std::size_t i) {
+    return StaticMap::DecidedScan{scans[i].scan(), owners[i]};
+  });
   EXPECT_EQ(decided->ledgerBytes(), makeStaticMap(options(), {0, 0, 0})->ledgerBytes());
   EXPECT_TRUE(test::same(decided->points(), settled->points()));
 }

@@ -30,8 +30,13 @@ void StaticMap::addScan(const ScanReturns& scan, const std::vector<std::int32_t>
     if (!returnsOf[k].empty()) addBox(firstBox + k, 0, scan, returnsOf[k], dynamic[k]);
 }
 
-void StaticMap::addDecided(const ScanReturns& scan, const std::vector<std::int32_t>& owner) {
-  for (const std::vector<std::int32_t>& each : returnsByOwner(owner)) addPermanent(scan, each);
+void StaticMap::addDecided(std::size_t count, const std::function<DecidedScan(std::size_t)>& scan) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const DecidedScan each = scan(i);
+    for (const std::vector<std::int32_t>& indices : returnsByOwner(each.owner))
+      addPermanent(each.returns, indices);
+    leaveBehind(each.returns.sensorPosition);
+  }
 }
 
 std::vector<MapPoint> StaticMap::points(const Eigen::Vector3d& offset) const {

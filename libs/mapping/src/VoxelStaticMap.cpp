@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VoxelStaticMap.h"
 
+#include <tbb/parallel_pipeline.h>
+
+#include <array>
+
 namespace toss {
 
 VoxelStaticMap::VoxelStaticMap(const MappingOptions& options, const Eigen::Vector3d& origin,
@@ -28,21 +32,46 @@ void VoxelStaticMap::addToTrack(TrackId track, const ScanReturns& scan, IndexSpa
   map_.addToTrack(track, bin(scan, indices));
 }
 
-void VoxelStaticMap::binByOwner(const ScanReturns& scan, const std::vector<std::int32_t>& owner) {
-  leftOut_ += map_.voxels().binByOwner(scan.level.x, scan.level.y, scan.level.z, scan.intensity,
-                                       scan.sensorPosition, owner, cap_, binned_);
+std::size_t VoxelStaticMap::binByOwner(const ScanReturns& scan,
+                                       const std::vector<std::int32_t>& owner,
+                                       BinnedReturns& binned) const {
+  return map_.voxels().binByOwner(scan.level.x, scan.level.y, scan.level.z, scan.intensity,
+                                  scan.sensorPosition, owner, cap_, binned);
 }
 
 void VoxelStaticMap::addScan(const ScanReturns& scan, const std::vector<std::int32_t>& owner,
                              const std::vector<bool>& dynamic, BoxId firstBox) {
-  binByOwner(scan, owner);
+  leftOut_ += binByOwner(scan, owner, binned_);
   map_.addScan(binned_, dynamic, firstBox);
 }
 
-void VoxelStaticMap::addDecided(const ScanReturns& scan, const std::vector<std::int32_t>& owner) {
-  binByOwner(scan, owner);
-  map_.addPermanent(binned_.permanent);
-  map_.addPermanent(binned_.owned);
+void VoxelStaticMap::addDecided(std::size_t count,
+                                const std::function<DecidedScan(std::size_t)>& scan) {
+  struct Binned {
+    BinnedReturns runs;
+    Eigen::Vector3d sensorPosition;
+    std::size_t leftOut = 0;
+  };
+  constexpr std::size_t kInFlight = 3;
+  std::array<Binned, kInFlight> inFlight;
+  std::size_t next = 0;
+  const auto bin = [&](tbb::flow_control& flow) -> Binned* {
+    if (next == count) return flow.stop(), nullptr;
+    Binned& binned = inFlight[next % kInFlight];
+    const DecidedScan each = scan(next++);
+    binned.sensorPosition = each.returns.sensorPosition;
+    binned.leftOut = binByOwner(each.returns, each.owner, binned.runs);
+    return &binned;
+  };
+  const auto enter = [&](Binned* binned) {
+    map_.addPermanent(binned->runs.permanent);
+    map_.addPermanent(binned->runs.owned);
+    map_.leaveBehind(binned->sensorPosition);
+    leftOut_ += binned->leftOut;
+  };
+  const auto inOrder = tbb::filter_mode::serial_in_order;
+  tbb::parallel_pipeline(kInFlight, tbb::make_filter<void, Binned*>(inOrder, bin) &
+                                        tbb::make_filter<Binned*, void>(inOrder, enter));
 }
 
 }  // namespace toss

@@ -17,7 +17,8 @@ class VoxelStaticMap : public StaticMap {
   void addToTrack(TrackId track, const ScanReturns& scan, IndexSpan indices) override;
   void addScan(const ScanReturns& scan, const std::vector<std::int32_t>& owner,
                const std::vector<bool>& dynamic, BoxId firstBox) override;
-  void addDecided(const ScanReturns& scan, const std::vector<std::int32_t>& owner) override;
+  /// Bins the next scan while one is entered.
+  void addDecided(std::size_t count, const std::function<DecidedScan(std::size_t)>& scan) override;
   ScanPlaces placesOf(const ScanReturns& scan) const override {
     return map_.voxels().placesOf(scan.level, scan.sensorPosition);
   }
@@ -39,7 +40,9 @@ class VoxelStaticMap : public StaticMap {
 
  private:
   const std::vector<VoxelRun>& bin(const ScanReturns& scan, IndexSpan indices);
-  void binByOwner(const ScanReturns& scan, const std::vector<std::int32_t>& owner);
+  /// Returns how many returns were left out.
+  std::size_t binByOwner(const ScanReturns& scan, const std::vector<std::int32_t>& owner,
+                         BinnedReturns& binned) const;
 
   RevocableMap map_;
   std::uint32_t cap_, minPoints_;

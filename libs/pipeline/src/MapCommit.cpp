@@ -76,12 +76,13 @@ void commitScan(const MappingOptions& options, const std::vector<bool>& movingOw
   complete(map, record);
 }
 
-void commitDecided(const MappingOptions& options, const std::vector<bool>& movingOwners,
-                   ScanRecord& record, StaticMap& map) {
+StaticMap::DecidedScan decidedScan(const MappingOptions& options,
+                                   const std::vector<bool>& movingOwners, const StaticMap& map,
+                                   ScanRecord& record) {
   std::vector<std::int32_t>& owners = ownersInMap(options, record);
   leaveMovers(movingOwners, owners);
-  map.addDecided(returnsOf(record), owners);
   complete(map, record);
+  return {returnsOf(record), owners};
 }
 
 void previewScan(const MappingOptions& options, const std::vector<bool>& movingOwners,

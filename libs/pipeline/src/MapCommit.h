@@ -13,10 +13,11 @@ namespace toss {
 void commitScan(const MappingOptions& options, const std::vector<bool>& movingOwners,
                 ScanRecord& record, BoxId& nextLedger, StaticMap& map);
 
-/// The same for a scan whose labels are final: only what stays enters, for good and without
-/// ledgers.
-void commitDecided(const MappingOptions& options, const std::vector<bool>& movingOwners,
-                   ScanRecord& record, StaticMap& map);
+/// What of a scan stays whose labels are final, for StaticMap::addDecided(). Valid until the next
+/// call of the thread; the record's coordinates are needed no more when `map` has taken it.
+StaticMap::DecidedScan decidedScan(const MappingOptions& options,
+                                   const std::vector<bool>& movingOwners, const StaticMap& map,
+                                   ScanRecord& record);
 
 /// Enters the returns of a scan that is not complete, without those of moving owners. Counts
 /// `nextLedger` up.

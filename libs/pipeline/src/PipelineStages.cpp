@@ -191,17 +191,19 @@ void Pipeline::Implementation::decideAll() {
   for (const ScanRecord& record : records) setFinalClasses(record, true);
   // Residue of the first asks for what the last leaves in the map.
   for (std::size_t i = 0; i < committed; ++i) decideOwners(records[i]);
-  while (committed < records.size()) commitDecidedNext();
+  commitDecided();
   for (ScanRecord& record : records) decideResidue(record);
 }
 
-void Pipeline::Implementation::commitDecidedNext() {
-  ScanRecord& record = records[committed++];
-  StaticMap& map = mapFrom(record);
-  record.moving = judge.final(record, true);
-  commitDecided(options.mapping, record.moving, record, map);
-  builder.reuseReturns(record);
-  map.leaveBehind(record.sensorPosition);
+void Pipeline::Implementation::commitDecided() {
+  if (committed == records.size()) return;
+  StaticMap& map = mapFrom(records[committed]);
+  map.addDecided(records.size() - committed, [&](std::size_t i) {
+    ScanRecord& record = records[committed + i];
+    record.moving = judge.final(record, true);
+    return decidedScan(options.mapping, record.moving, map, record);
+  });
+  for (; committed < records.size(); ++committed) builder.reuseReturns(records[committed]);
 }
 
 }  // namespace toss

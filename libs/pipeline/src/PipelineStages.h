@@ -52,7 +52,7 @@ struct Pipeline::Implementation {
   void updateMap() const;
   /// The map that all pipelines share; it begins where the first scan of any of them was taken.
   StaticMap& mapFrom(const ScanRecord& record);
-  void commitDecidedNext();
+  void commitDecided();
   void takeEvidence(const EvidenceCells& cells, ScanRecord& record);
   void setFinalClasses(const ScanRecord& record, bool last);
   /// Says for good what of a scan moves, and what of it is in the map; then, when the map is as far

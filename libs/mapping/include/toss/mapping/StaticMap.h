@@ -47,10 +47,18 @@ class StaticMap {
   /// those below 0 are passed over. `dynamic`: shape [owners].
   virtual void addScan(const ScanReturns& scan, const std::vector<std::int32_t>& owner,
                        const std::vector<bool>& dynamic, BoxId firstBox);
-  /// Enters a whole scan whose labels are final: returns whose `owner` (shape [n]) is 0 or greater
-  /// stay for good, those below 0 are passed over. The same as addScan() and then settleBox() for
-  /// each owner, without keeping ledgers.
-  virtual void addDecided(const ScanReturns& scan, const std::vector<std::int32_t>& owner);
+  /// A whole scan whose labels are final. Refers to buffers of the caller.
+  struct DecidedScan {
+    ScanReturns returns;
+    /// Shape [n]; returns stay where it is 0 or greater, those below 0 are passed over.
+    const std::vector<std::int32_t>& owner;
+  };
+  /// Enters scans 0 .. count - 1 one after the other: the same as addScan(), settleBox() for each
+  /// owner and leaveBehind() the sensor's position, without keeping ledgers. `scan(i)` is asked for
+  /// each in turn, and what it has given is looked at until it is asked again. With several threads
+  /// allowed it may be asked by another than the caller's while scans before are still entered: of
+  /// the map it may use placesOf() alone.
+  virtual void addDecided(std::size_t count, const std::function<DecidedScan(std::size_t)>& scan);
 
   /// Names of the places of a scan's returns, for holds().
   virtual ScanPlaces placesOf(const ScanReturns& scan) const = 0;
