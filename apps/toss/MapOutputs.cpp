@@ -110,6 +110,11 @@ void MapOutputs::addTimes(std::uint64_t scan,
   for (std::size_t s = 0; s < times.size(); ++s) times_.at(s).second.push_back(times[s].second);
 }
 
+void MapOutputs::addRest(double milliseconds) {
+  const std::size_t scans = timedScans_.size();
+  times_.push_back({"rest", std::vector<double>(scans, milliseconds / static_cast<double>(scans))});
+}
+
 void MapOutputs::writeTimings() const {
   std::ostringstream out;
   out << "scan";

@@ -43,6 +43,9 @@ class MapOutputs {
   /// `offset` [m]: taken off all coordinates of maps and pictures, the same for all scans.
   void addSettled(const PosedScan& scan, const ScanLabels& labels, const Eigen::Vector3d& offset);
   void addTimes(std::uint64_t scan, const std::vector<std::pair<std::string, double>>& times);
+  /// Shares what the method had left to do when the log ended [ms] equally among the scans, as a
+  /// stage of its own: most scans of a short log enter the map then.
+  void addRest(double milliseconds);
   /// Writes the map, which is final, in both its forms; may run beside addSettled().
   void writeStaticMap(const MultiLidarPipeline& pipeline);
   /// Writes what is left and gives all files their names. Files of an earlier run are gone then.

@@ -15,6 +15,7 @@
 #include <toss/render/SceneFile.h>
 #include <toss/render/Snapshots.h>
 
+#include <chrono>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -83,8 +84,9 @@ class MapRunner {
     if (written_ == 0)
       throw UserError(request_.input.string(), "no scan in the chosen range has a pose",
                       "look at it with toss info");
-    pipeline_.decideRest();
+    timed([&] { pipeline_.decideRest(); });
     tbb::parallel_invoke([&] { settleRest(); }, [&] { outputs_.writeStaticMap(pipeline_); });
+    outputs_.addRest(rest_);
     outputs_.finish();
   }
 
@@ -118,8 +120,19 @@ class MapRunner {
     const Item item = spareOrNew();
     item->ofScan = false;
     item->settled.resize(1);
-    if (!pipeline_.settleNext(item->settled.front().labels)) flow.stop();
+    timed([&] {
+      if (!pipeline_.settleNext(item->settled.front().labels)) flow.stop();
+    });
     return item;
+  }
+
+  /// Adds what `work` takes to the time of what is left at the end of the log.
+  template <typename Work>
+  void timed(const Work& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    rest_ +=
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   }
 
   /// Memory fresh from the system costs more than what is written into it.
@@ -182,6 +195,7 @@ class MapRunner {
   MapOutputs outputs_;
   Progress progress_;
   std::uint64_t written_ = 0;
+  double rest_ = 0.0;
   /// Items that have gone all the way.
   tbb::concurrent_queue<Item> spares_;
 };

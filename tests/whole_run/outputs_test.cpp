@@ -168,6 +168,7 @@ TEST_F(Outputs, TimingsHaveARowPerScanAndAColumnPerStage) {
   std::string line;
   std::getline(lines, line);
   EXPECT_EQ(line.rfind("scan,projection_ms,", 0), 0u);
+  EXPECT_EQ(line.substr(line.rfind(',')), ",rest_ms");
   const auto columns = std::count(line.begin(), line.end(), ',');
   std::uint64_t rows = 0;
   for (; std::getline(lines, line); ++rows) {

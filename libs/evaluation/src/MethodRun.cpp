@@ -34,6 +34,13 @@ void addStages(const std::vector<std::pair<std::string, double>>& times, MethodR
   for (std::size_t k = 0; k < times.size(); ++k) run.stages.at(k).second.push_back(times[k].second);
 }
 
+/// Shares what was left to do at the end of the log [ms] equally among the scans.
+void addRest(double milliseconds, MethodRun& run) {
+  const double share = milliseconds / static_cast<double>(run.milliseconds.size());
+  for (double& time : run.milliseconds) time += share;
+  run.stages.push_back({"rest", std::vector<double>(run.milliseconds.size(), share)});
+}
+
 void takeSettled(Pipeline& pipeline, std::size_t& settled, MethodRun& run) {
   for (ScanLabels& labels : pipeline.takeSettled()) {
     run.answers.at(settled++).final = toFileLabels(labels);
@@ -75,7 +82,9 @@ MethodRun runPipeline(const LabelledLog& log, const PipelineOptions& options) {
     run.answers[s].instances = toFileLabels(pipeline.segmentedScan().segmentation);
     takeSettled(pipeline, settled, run);
   }
+  const Clock::time_point start = Clock::now();
   pipeline.finish();
+  addRest(std::chrono::duration<double, std::milli>(Clock::now() - start).count(), run);
   takeSettled(pipeline, settled, run);
   return run;
 }

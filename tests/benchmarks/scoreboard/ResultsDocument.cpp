@@ -136,7 +136,9 @@ void writeBands(std::ostream& out, const std::vector<CaseResult>& results) {
 }
 
 void writeStages(std::ostream& out, const std::vector<CaseResult>& results) {
-  out << "\n## Where the time goes\n\nMedian per scan of the default by stage [ms] (seed 1).\n";
+  out << "\n## Where the time goes\n\nMedian per scan of the default by stage [ms] (seed 1); rest: "
+         "what is left to do "
+         "when the log ends, most of it the map, shared equally among the scans.\n";
   std::vector<std::string> columns;
   const CaseResult* any = firstResult(results, results.front().scene, kDefaultName);
   for (const auto& [stage, time] : any->scores.stageMedians) columns.push_back(stage);

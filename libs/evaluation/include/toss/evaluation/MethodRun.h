@@ -28,7 +28,8 @@ struct ScanAnswer {
 struct MethodRun {
   /// Shape [scans].
   std::vector<ScanAnswer> answers;
-  /// Time spent on each scan [ms], shape [scans].
+  /// Time spent on each scan [ms], shape [scans]: with an equal share of what is left to do at the
+  /// end of the log, the stage "rest".
   std::vector<double> milliseconds;
   /// The same by stage, in the order of the stages, for methods that have stages.
   std::vector<std::pair<std::string, std::vector<double>>> stages;
