@@ -70,26 +70,26 @@ void CellThinning::startTable(std::size_t count) {
   while ((std::size_t{1} << (64 - shift_)) < 2 * count) --shift_;
   const std::size_t slots = std::size_t{1} << (64 - shift_);
   if (++round_ == kRounds) {
-    std::fill(slots_.begin(), slots_.end(), Slot());
+    std::fill(slots_.begin(), slots_.end(), 0);
     round_ = 1;
   }
-  if (slots_.size() < slots) slots_.resize(slots);
+  if (slots_.size() < slots) slots_.resize(slots), cellInSlot_.resize(slots);
   firstPoint_.clear();
 }
 
-std::int32_t CellThinning::cellOf(std::uint64_t key, std::int32_t point) {
+std::size_t CellThinning::slotOf(std::uint64_t key, std::int32_t point) {
   const std::size_t mask = (std::size_t{1} << (64 - shift_)) - 1;
   const std::uint64_t ownKey = round_ << kKeyBits | key;
-  std::size_t place = static_cast<std::size_t>((key * 0x9E3779B97F4A7C15ull) >> shift_);
-  while (slots_[place].key != ownKey) {
-    if (slots_[place].key >> kKeyBits != round_) {
-      slots_[place] = {ownKey, static_cast<std::int32_t>(firstPoint_.size())};
+  std::size_t slot = firstSlot(key);
+  while (slots_[slot] != ownKey) {
+    if (slots_[slot] >> kKeyBits != round_) {
+      slots_[slot] = ownKey;
       firstPoint_.push_back(point);
-      break;
+      return slot;
     }
-    place = (place + 1) & mask;
+    slot = (slot + 1) & mask;
   }
-  return slots_[place].cell;
+  return slot;
 }
 
 template <typename Visit>
@@ -102,6 +102,7 @@ void CellThinning::visitKeys(const LevelPoints& points, const std::int32_t* begi
     block.gather(points, begin, count);
     block.findCells(inverseSize_, count);
     const std::size_t chosen = block.choose(begin, count, onlyChanges, last);
+    for (std::size_t i = 0; i < chosen; ++i) __builtin_prefetch(&slots_[firstSlot(block.key[i])]);
     for (std::size_t i = 0; i < chosen; ++i) visit(block.point[i], block.key[i]);
     begin += count;
   }
@@ -115,9 +116,13 @@ void CellThinning::thinUnclustered(const LevelPoints& points, const Segmentation
       cells.lonePoint.push_back(static_cast<std::int32_t>(i));
   startTable(cells.lonePoint.size());
   const std::int32_t* const lone = cells.lonePoint.data();
-  visitKeys(
-      points, lone, lone + cells.lonePoint.size(), false,
-      [&](std::int32_t point, std::uint64_t key) { cells.loneCell.push_back(cellOf(key, point)); });
+  const auto cellOf = [&](std::int32_t point, std::uint64_t key) {
+    const auto next = static_cast<std::int32_t>(firstPoint_.size());
+    const std::size_t slot = slotOf(key, point);
+    if (static_cast<std::size_t>(next) < firstPoint_.size()) cellInSlot_[slot] = next;
+    cells.loneCell.push_back(cellInSlot_[slot]);
+  };
+  visitKeys(points, lone, lone + cells.lonePoint.size(), false, cellOf);
   picked_ = firstPoint_;
   cells.instance.assign(picked_.size(), 0);
 }
@@ -127,7 +132,7 @@ void CellThinning::thinInstance(const LevelPoints& points, const std::int32_t* b
                                 EvidenceCells& cells) {
   startTable(static_cast<std::size_t>(end - begin));
   visitKeys(points, begin, end, true,
-            [&](std::int32_t point, std::uint64_t key) { cellOf(key, point); });
+            [&](std::int32_t point, std::uint64_t key) { slotOf(key, point); });
   const std::size_t stride = 1 + (firstPoint_.size() - 1) / maxCells_;
   for (std::size_t c = 0; c < firstPoint_.size(); c += stride) picked_.push_back(firstPoint_[c]);
   cells.instance.resize(picked_.size(), instance);

@@ -24,11 +24,6 @@ class CellThinning {
 
  private:
   struct Block;
-  /// An entry of the table of cells: its key below the number of the round that made it.
-  struct Slot {
-    std::uint64_t key = 0;
-    std::int32_t cell = 0;
-  };
   /// Calls visit(point, key of its cell) for each of some points, or with `onlyChanges` for those
   /// that are not in the cell of the one before: neighbours along a row mostly share theirs.
   template <typename Visit>
@@ -36,8 +31,12 @@ class CellThinning {
                  bool onlyChanges, Visit&& visit) const;
   /// Forgets all cells; then up to `count` may come.
   void startTable(std::size_t count);
-  /// Number of the cell with that key, in order of their coming; a new one is met at `point`.
-  std::int32_t cellOf(std::uint64_t key, std::int32_t point);
+  /// Slot of the cell with that key; a new one is met at `point`.
+  std::size_t slotOf(std::uint64_t key, std::int32_t point);
+  /// Where it is looked for first.
+  std::size_t firstSlot(std::uint64_t key) const {
+    return static_cast<std::size_t>((key * 0x9E3779B97F4A7C15ull) >> shift_);
+  }
   void thinUnclustered(const LevelPoints& points, const Segmentation& segmentation,
                        EvidenceCells& cells);
   void thinInstance(const LevelPoints& points, const std::int32_t* begin, const std::int32_t* end,
@@ -46,8 +45,11 @@ class CellThinning {
 
   float inverseSize_;
   std::size_t maxCells_;
-  /// Open addressing in the first 2^(64 - shift_) slots; those of other rounds are free.
-  std::vector<Slot> slots_;
+  /// Table of cells: the key of each below the number of the round that made it. Open addressing in
+  /// the first 2^(64 - shift_) slots; those of other rounds are free.
+  std::vector<std::uint64_t> slots_;
+  /// Number of the cell in each slot, where it is asked for.
+  std::vector<std::int32_t> cellInSlot_;
   std::uint64_t round_ = 0;
   int shift_ = 64;
   /// First point of each cell met so far.
