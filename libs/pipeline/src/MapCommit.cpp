@@ -59,8 +59,10 @@ ScanReturns returnsOf(const ScanRecord& record) {
 /// The record's coordinates are needed no more.
 void complete(const StaticMap& map, ScanRecord& record) {
   const ScanPlaces places = map.placesOf(returnsOf(record));
-  for (ResidueReturn& each : record.residue)
-    each.place = places.of(static_cast<std::size_t>(each.point));
+  record.residuePlace.clear();
+  record.residuePlace.reserve(record.residue.size());
+  for (const std::int32_t point : record.residue)
+    record.residuePlace.push_back(places.of(static_cast<std::size_t>(point)));
   record.complete = true;
 }
 
@@ -98,11 +100,12 @@ void updateLedgers(const ScanRecord& record, const std::vector<bool>& movingOwne
 }
 
 void releaseResidue(const std::vector<bool>& movingOwners, StaticMap& map, ScanRecord& record) {
-  for (const ResidueReturn& each : record.residue) {
-    const auto o = static_cast<std::size_t>(record.owner[static_cast<std::size_t>(each.point)]);
+  for (std::size_t r = 0; r < record.residue.size(); ++r) {
+    const std::int32_t point = record.residue[r];
+    const auto o = static_cast<std::size_t>(record.owner[static_cast<std::size_t>(point)]);
     const auto host = static_cast<std::size_t>(record.owners[o].host);
-    if (movingOwners[o] && !movingOwners[host] && !map.holds(each.place))
-      record.loneMovers.push_back(each.point);
+    if (movingOwners[o] && !movingOwners[host] && !map.holds(record.residuePlace[r]))
+      record.loneMovers.push_back(point);
   }
   std::sort(record.loneMovers.begin(), record.loneMovers.end());
 }

@@ -61,7 +61,7 @@ void RecordBuilder::addOwners(const std::vector<Track>& tracks, const BoxClaims:
   std::size_t residueCount = 0;
   for (const BoxClaims::Claim& claim : claims) {
     record.owner[static_cast<std::size_t>(claim.point)] = ownerOf(claim, tracks, record);
-    record.residue[residueCount].point = claim.point;
+    record.residue[residueCount] = claim.point;
     residueCount += claim.residue;
   }
   record.residue.pop_back();
@@ -133,6 +133,8 @@ void RecordBuilder::reuseReturns(ScanRecord& record) {
 void RecordBuilder::reuseOwners(ScanRecord& record) {
   spareClasses_.push_back(std::exchange(record.pointClass, {}));
   spareOwners_.push_back(std::exchange(record.owner, {}));
+  spareResidues_.push_back(std::exchange(record.residue, {}));
+  sparePlaces_.push_back(std::exchange(record.residuePlace, {}));
 }
 
 ScanRecord RecordBuilder::build(const PosedScan& scan, const SegmentedScan& segmented,
@@ -144,6 +146,9 @@ ScanRecord RecordBuilder::build(const PosedScan& scan, const SegmentedScan& segm
   copyIntoSpare(segmented.segmentation.pointClass, spareClasses_, record.pointClass);
   copyIntoSpare(segmented.segmentation.instance, spareOwners_, record.owner);
   copyIntoSpare(scan.points.intensity, spareIntensities_, record.intensity);
+  takeSpare(spareResidues_, record.residue);
+  takeSpare(sparePlaces_, record.residuePlace);
+  record.residue.clear();
   const std::size_t instances = static_cast<std::size_t>(segmented.segmentation.instanceCount) + 1;
   record.owners.resize(instances);
   addInstances(detections, tracker, record);

@@ -32,7 +32,7 @@ class RecordBuilder {
   /// Takes the memory of the returns for a later scan: `record` is in the map and needs its
   /// coordinates and intensities no more.
   void reuseReturns(ScanRecord& record);
-  /// The same for the owners and classes of a settled scan.
+  /// The same for the owners, classes and residue of a settled scan.
   void reuseOwners(ScanRecord& record);
 
  private:
@@ -55,7 +55,8 @@ class RecordBuilder {
   std::vector<LevelPoints> spareLevels_;
   std::vector<std::vector<float>> spareIntensities_;
   std::vector<std::vector<PointClass>> spareClasses_;
-  std::vector<std::vector<std::int32_t>> spareOwners_;
+  std::vector<std::vector<std::int32_t>> spareOwners_, spareResidues_;
+  std::vector<std::vector<VoxelKey>> sparePlaces_;
 };
 
 /// The boxes of a scan as DS-Voting takes them, in the order of their owners, which learn their

@@ -37,13 +37,6 @@ struct Owner {
   FreeSpaceSum evidence;
 };
 
-/// A return that an owner has as residue.
-struct ResidueReturn {
-  std::int32_t point = 0;
-  /// Its place in the static map, from the time on when the scan is in it.
-  VoxelKey place = 0;
-};
-
 /// One scan from the time it came in until its labels are final. Index-aligned with its points.
 struct ScanRecord {
   std::uint64_t scan = 0;
@@ -52,8 +45,10 @@ struct ScanRecord {
   /// Shape [n]: class, and owner (index into `owners`).
   std::vector<PointClass> pointClass;
   std::vector<std::int32_t> owner;
-  /// Returns that may be residue, ascending.
-  std::vector<ResidueReturn> residue;
+  /// Returns that owners have as residue, ascending; and the place of each in the static map, from
+  /// the time on when the scan is in it.
+  std::vector<std::int32_t> residue;
+  std::vector<VoxelKey> residuePlace;
   /// Returns that move although nothing that owns them does, ascending; set with the evidence, and
   /// completed by residue when the scan is settled.
   std::vector<std::int32_t> loneMovers;
