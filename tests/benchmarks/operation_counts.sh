@@ -52,7 +52,8 @@ stages() {
   echo "visibility $(count "$inside::askViews")"
   echo "voting $(count "$inside::vote")"
   echo "labels $(count "$inside::labelLive")"
-  echo "mapping $(count "$inside::commitComplete")"
+  # No scan of so short a log is complete before it ends.
+  echo "mapping $(count "$inside::decideAll")"
   echo "settling $(count "$inside::settleFirst")"
 }
 
