@@ -110,6 +110,15 @@ void visitTerrain(GroundOptions& options, OptionVisitor& visitor) {
                    "keeps the average of the patches. Needs refine_mode.",
                    "measured; 0 = TRAVEL"},
                   options.terrainRounds, 0, 4);
+  visitor.integer(
+      {"reach_rounds", "",
+       "Rounds in which sensors of few rows carry the terrain on over ground that they "
+       "meet in single rings, a patch further in each; 0 = never. Needs terrain_rounds.",
+       "measured on simulated scans"},
+      options.reachRounds, 0, 20);
+  visitor.real({"reach_spacing", "deg", "Spacing of rows from which on reach_rounds counts.",
+                "measured on simulated scans"},
+               options.reachSpacing, 0.0, 90.0);
   visitor.integer({"subdivision", "",
                    "Squares of the terrain model along a side of a square of the field. A larger "
                    "value follows kerbs and bumps more closely.",

@@ -10,6 +10,7 @@
 
 #include "GroundLabeling.h"
 #include "NodeSorting.h"
+#include "TerrainReach.h"
 
 namespace toss {
 namespace {
@@ -31,10 +32,11 @@ struct GroundSegmentation::Implementation {
         fineNodes(static_cast<std::size_t>(fineField.nodes())),
         sorted(field, fineField, subdivision),
         nodeFit(given),
+        reach(field),
         terrain(fineField) {}
 
   void fitNodes();
-  void fitTerrain(const LevelPoints& points, const RangeImage& image);
+  void fitTerrain(const UprightNeighbours& upright);
   void copyToFine();
 
   GroundOptions options;
@@ -43,6 +45,7 @@ struct GroundSegmentation::Implementation {
   std::vector<GroundNode> nodes, fineNodes;
   NodeSorting sorted;
   GroundNodeFit nodeFit;
+  TerrainReach reach;
   TerrainFit terrain;
   GroundLabeling labeling;
   ContactPoints contacts;
@@ -72,9 +75,7 @@ void GroundSegmentation::Implementation::copyToFine() {
   }
 }
 
-void GroundSegmentation::Implementation::fitTerrain(const LevelPoints& points,
-                                                    const RangeImage& image) {
-  const UprightNeighbours upright(points, image, static_cast<float>(options.contactSlope));
+void GroundSegmentation::Implementation::fitTerrain(const UprightNeighbours& upright) {
   copyToFine();
   for (int round = 0; round < options.terrainRounds; ++round) {
     const float gate = round == 0 ? kFirstGate : kGate;
@@ -106,12 +107,16 @@ void GroundSegmentation::segment(const LevelPoints& points, const RangeImage& im
   stage.sorted.sort(points, segmentation.pointClass);
   stage.fitNodes();
   searchTraversable(stage.field, stage.options, stage.nodes);
+  const UprightNeighbours upright(points, image, static_cast<float>(stage.options.contactSlope));
+  const bool fits = stage.options.refine && stage.options.terrainRounds > 0;
   if (stage.options.refine) {
     averageVertices(stage.field, stage.nodes, stage.heights);
+    if (fits && TerrainReach::isNeeded(image, stage.options))
+      stage.reach.carryOn(stage.sorted, upright, stage.options, stage.heights);
     replacePlanes(stage.field, stage.options, stage.heights, stage.nodes);
   }
-  if (stage.options.refine && stage.options.terrainRounds > 0) {
-    stage.fitTerrain(points, image);
+  if (fits) {
+    stage.fitTerrain(upright);
   } else {
     stage.fineNodes = stage.nodes;
   }

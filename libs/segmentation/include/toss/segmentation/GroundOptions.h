@@ -57,6 +57,10 @@ struct GroundOptions : Options {
   bool refine = true;
   /// Rounds of fitting the terrain model to all ground returns at once; 0 leaves TRAVEL's average.
   int terrainRounds = 2;
+  /// Rounds in which the terrain is carried on over ground that is met in single rings, a patch
+  /// further in each; 0 = never. Spacing of the sensor's rows from which on this is done [deg].
+  int reachRounds = 6;
+  double reachSpacing = 1.0;
   /// Squares of the terrain model along a side of a square of the field.
   int subdivision = 4;
   /// Length of a beam under the ground [m] from which its return is BelowGround; less is a ditch.
