@@ -93,6 +93,21 @@ void Pipeline::Implementation::setFinalClasses(const ScanRecord& record, bool la
     voting.setTrackClass(sample.track, traces.finalClass(sample.track, last));
 }
 
+void Pipeline::Implementation::setLastClasses() {
+  const std::vector<TrackSample> none;
+  const std::vector<TrackSample>* before = &none;
+  for (const ScanRecord& record : records) {
+    // A trace that was alive in the scan before has its class.
+    auto known = before->begin();
+    for (const TrackSample& sample : record.tracks) {
+      while (known != before->end() && known->track < sample.track) ++known;
+      if (known == before->end() || known->track != sample.track)
+        voting.setTrackClass(sample.track, traces.finalClass(sample.track, true));
+    }
+    before = &record.tracks;
+  }
+}
+
 void Pipeline::Implementation::takeEvidence(const EvidenceCells& cells, ScanRecord& record) {
   const auto instances =
       static_cast<std::int32_t>(std::count_if(record.owners.begin(), record.owners.end(),
@@ -101,10 +116,12 @@ void Pipeline::Implementation::takeEvidence(const EvidenceCells& cells, ScanReco
       sumByInstance(cells, instances, options.visibility.minFreeViews);
   for (std::size_t k = 1; k < sums.size(); ++k) {
     record.owners[k].evidence = sums[k];
-    if (record.owners[k].track != 0) traces.addFinal(record.owners[k].track, sums[k]);
+    if (const TrackId track = record.owners[k].track; track != 0) {
+      traces.addFinal(track, sums[k]);
+      voting.setTrackClass(track, traces.finalClass(track, false));
+    }
   }
   judge.findLoneMovers(cells, record);
-  setFinalClasses(record, false);
 }
 
 StaticMap& Pipeline::Implementation::mapFrom(const ScanRecord& record) {
@@ -188,7 +205,7 @@ void Pipeline::Implementation::decideAll() {
     auto record = records.begin() + static_cast<std::ptrdiff_t>(committed);
     for (const EvidenceCells& cells : witness.takeComplete(true)) takeEvidence(cells, *record++);
   }
-  for (const ScanRecord& record : records) setFinalClasses(record, true);
+  setLastClasses();
   // Residue of the first asks for what the last leaves in the map.
   for (std::size_t i = 0; i < committed; ++i) decideOwners(records[i]);
   commitDecided();

@@ -55,6 +55,8 @@ struct Pipeline::Implementation {
   void commitDecided();
   void takeEvidence(const EvidenceCells& cells, ScanRecord& record);
   void setFinalClasses(const ScanRecord& record, bool last);
+  /// The same for all scans that are left, when no more will be known.
+  void setLastClasses();
   /// Says for good what of a scan moves, and what of it is in the map; then, when the map is as far
   /// as it can be, what its residue is.
   void decideOwners(ScanRecord& record);
