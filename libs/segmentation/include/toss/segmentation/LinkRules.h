@@ -73,9 +73,10 @@ class LinkRules {
   Distance distance(double base, float angle) const;
   int returnsOn(double size, float range) const;
 
-  /// A distance d spans at most asin(d / range), which s + s^3 / 4 exceeds for s = d / range up to 50
-  /// degrees; one more step because returns lie anywhere in their pixels, and one to round up. Where
-  /// beams rise or fall steeply columns are narrower, and a link at the very limit may be missed.
+  /// A distance d spans at most asin(d / range), which s + s^3 / 4 exceeds for s = d / range up to
+  /// 50 degrees; one more step because returns lie anywhere in their pixels, and one to round up.
+  /// Where beams rise or fall steeply columns are narrower, and a link at the very limit may be
+  /// missed.
   static std::int32_t steps(float distance, float range, float step, int most) {
     const float sine = distance / std::max(range, 0.01f);
     const float spanned = (sine + 0.25f * sine * sine * sine) / step + 2.0f;
