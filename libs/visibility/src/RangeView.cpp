@@ -19,6 +19,9 @@ constexpr int kHalfSineSteps = 4096;
 constexpr std::size_t kSineSteps = 2 * kHalfSineSteps + 1;
 /// Fewer neighbours that look past an occluder may look past the edge of something else as well.
 constexpr int kFewestPastOccluder = 4;
+/// Rows nearer to each other than this [rad] pass what they are nearest to closely enough to
+/// glimpse past it; over ground at a grazing angle others go far although they pass well above.
+constexpr float kDense = 1.0f * kPi / 180.0f;
 /// Points that are worked on together.
 constexpr std::size_t kBlock = 256;
 
@@ -31,8 +34,8 @@ std::size_t sineStepOfElevation(float elevation) {
       sineStep(std::sin(std::clamp(elevation, -0.5f * kPi, 0.5f * kPi))));
 }
 
-/// Shortest of the ranges over `limit` [m] in the neighbourhood of column `c`, infinite if they are
-/// too few. `rows`: the pixel's row and its neighbours, shape [width] each.
+/// Shortest of the ranges over `limit` [m] in the neighbourhood of column `c`, the limit if they
+/// are too few. `rows`: the pixel's row and its neighbours, shape [width] each.
 float shortestBehind(const std::array<const float*, 3>& rows, std::size_t c, std::size_t width,
                      float limit) {
   float shortest = kEmpty;
@@ -47,7 +50,7 @@ float shortestBehind(const std::array<const float*, 3>& rows, std::size_t c, std
       shortest = std::min(shortest, range);
     }
   }
-  return count < kFewestPastOccluder ? kEmpty : shortest;
+  return count < kFewestPastOccluder ? limit : shortest;
 }
 
 /// Where points lie in a view.
@@ -71,8 +74,11 @@ void RangeView::look(const RangeImage& image, const PointCloud& points,
   rows_ = image.rows;
   columns_ = std::min(mostColumns_, image.columns);
   sensorFromMap_ = mapFromSensor.inverse();
+  dense_ = rows_ > 1 && image.elevations.front() - image.elevations.back() <
+                            kDense * static_cast<float>(rows_ - 1);
   fillRowTable(image.elevations);
   fillRanges(image, points, scratch);
+  spreadAlongRows(scratch);
   fillPixels(scratch);
 }
 
@@ -116,7 +122,7 @@ void RangeView::fillRanges(const RangeImage& image, const PointCloud& points,
 }
 
 TOSS_ALSO_FOR_AVX2
-void RangeView::fillPixels(Scratch& scratch) {
+void RangeView::spreadAlongRows(Scratch& scratch) const {
   const auto width = static_cast<std::size_t>(columns_);
   const auto finite = [](float range) { return range < kEmpty ? range : 0.0f; };
   scratch.alongRow.resize(scratch.ranges.size());
@@ -133,8 +139,13 @@ void RangeView::fillPixels(Scratch& scratch) {
     fill(width - 1, 0, 1);
     fill(width - 2, width - 1, 0);
   }
+}
+
+TOSS_ALSO_FOR_AVX2
+void RangeView::fillPixels(const Scratch& scratch) {
+  const auto width = static_cast<std::size_t>(columns_);
   pixels_.resize(scratch.ranges.size());
-  std::fill(pixels_.end() - columns_, pixels_.end(), Pixel{kEmpty, kEmpty, 0.0f, kEmpty});
+  std::fill(pixels_.end() - columns_, pixels_.end(), Pixel{kEmpty, kEmpty, 0.0f, 0.0f});
   for (int r = 0; r < rows_; ++r) {
     const auto row = [&](const std::vector<float>& values, int index) {
       return values.data() + static_cast<std::size_t>(std::max(index, 0)) * width;
@@ -150,15 +161,17 @@ void RangeView::fillPixels(Scratch& scratch) {
     const std::array<const float*, 3> ranges = {row(scratch.ranges, above), row(scratch.ranges, r),
                                                 row(scratch.ranges, under)};
     Pixel* out = pixels_.data() + static_cast<std::size_t>(r) * width;
-    for (std::size_t c = 0; c < width; ++c)
-      out[c] = {ranges[1][c], std::min(std::min(n0[c], n1[c]), n2[c]), std::max(g1[c], g2[c]),
-                kEmpty};
+    for (std::size_t c = 0; c < width; ++c) {
+      const float beneath = std::max(g1[c], g2[c]);
+      out[c] = {ranges[1][c], std::min(std::min(n0[c], n1[c]), n2[c]),
+                dense_ ? std::max(f1[c], beneath) : beneath, kEmpty};
+    }
     for (std::size_t c = 0; c < width; ++c)
       if (out[c].nearest < occluderShare_ * std::max(std::max(f0[c], f1[c]), f2[c]))
         out[c].behind = shortestBehind(ranges, c, width, out[c].nearest / occluderShare_);
     // Past a surface seen at a grazing angle all rays go but those under it.
     for (std::size_t c = 0; c < width; ++c)
-      if (n2[c] == kEmpty) out[c].behind = 0.0f;
+      out[c].behind = n2[c] == kEmpty ? 0.0f : std::min(out[c].behind, std::max(g1[c], g2[c]));
   }
 }
 
@@ -198,11 +211,10 @@ void RangeView::testify(const float* x, const float* y, const float* z, std::siz
       const float past = range + freeMargin_ + freeMarginShare_ * range;
       const float unhidden = nearest < occluderShare_ * range ? kEmpty : nearest;
       const float first = std::min(unhidden, seen[i].behind);
-      const bool goesUnder = seen[i].beneath > past;
-      const bool free = first > past && first < kEmpty && goesUnder;
+      const bool free = first > past;
       const bool hit =
           std::fabs(nearest - range) < hitMargin_ || std::fabs(seen[i].range - range) < hitMargin_;
-      const bool glimpse = !hit && goesUnder;
+      const bool glimpse = !hit && seen[i].farthest > past;
       glimpseViews[begin + i] = static_cast<std::uint8_t>(glimpseViews[begin + i] + glimpse);
       freeViews[begin + i] = static_cast<std::uint8_t>(freeViews[begin + i] + free);
       hitViews[begin + i] = static_cast<std::uint8_t>(hitViews[begin + i] + hit);

@@ -37,26 +37,30 @@ class RangeView {
   /// Asks about points given in the level frame of a scan taken at `position` [m, map frame]:
   /// x, y, z [m], shape [count]. Adds 1 to freeViews[i] where the view sees past point i in the
   /// whole neighbourhood of its pixel but for what stands far in front of it, and has returns below
-  /// it, to hitViews[i] where it measures the point itself, and to glimpseViews[i] where some ray
-  /// of the two rows below goes past it and none measures it: over ground at a grazing angle those
-  /// above go past anyway, and in views of few rows they go far.
+  /// it of which one goes past it too, to hitViews[i] where it measures the point itself, and to
+  /// glimpseViews[i] where some ray of the two rows below, in views of many rows also of its own,
+  /// goes past it and none measures it: over ground at a grazing angle those above go past anyway.
   void testify(const float* x, const float* y, const float* z, std::size_t count,
                const Eigen::Vector3d& position, std::uint8_t* freeViews, std::uint8_t* hitViews,
                std::uint8_t* glimpseViews) const;
 
  private:
-  /// Shortest range of a pixel and of its 3 x 3 neighbourhood [m], infinite where empty, the
-  /// longest of the two rows below, 0 where empty, and the shortest of the neighbourhood behind
-  /// what occludes the rest (a window's frame, a trunk), infinite where nothing does, 0 where the
-  /// row below is empty: side by side, since they are asked for together.
+  /// Shortest range of a pixel and of its 3 x 3 neighbourhood [m], infinite where empty; the
+  /// longest of the rows that glimpse past it, 0 where empty; and the longest of the two rows
+  /// below, or where something occludes the neighbourhood (a window's frame, a trunk) the shortest
+  /// behind that if it is less, 0 where the row below is empty: side by side, since they are asked
+  /// for together.
   struct Pixel {
-    float range, nearest, beneath, behind;
+    float range, nearest, farthest, behind;
   };
   void fillRowTable(const std::vector<float>& elevations);
   void fillRanges(const RangeImage& image, const PointCloud& points, Scratch& scratch) const;
-  void fillPixels(Scratch& scratch);
+  void spreadAlongRows(Scratch& scratch) const;
+  void fillPixels(const Scratch& scratch);
 
   int mostColumns_, rows_ = 0, columns_ = 0;
+  /// Whether rows are near to each other.
+  bool dense_ = false;
   float freeMargin_, freeMarginShare_, hitMargin_, occluderShare_;
   Eigen::Isometry3d sensorFromMap_;
   /// Shape [rows + 1, columns]; the last row is empty and stands for all outside the field of view.

@@ -19,7 +19,7 @@ struct DecisionOptions : Options {
   /// trace moved.
   double vetoHitShare = 0.5, vetoFreeShare = 0.05;
   /// A trace whose motion is doubtful moves if this share of its cells is glimpsed past.
-  double doubtfulGlimpsedShare = 0.2;
+  double doubtfulGlimpsedShare = 0.25;
   /// Cells that must be seen through for the free share to count.
   int minCells = 2;
   /// Free views that make a return without an instance move on its own.
