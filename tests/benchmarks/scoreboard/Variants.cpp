@@ -76,6 +76,8 @@ std::vector<Variant> ablations() {
                "ground.min_buried_path=0", "ground.th_normal=0.94", "ground.min_spread=0",
                "ground.edge_policy=first_edge", "ground.island_policy=accept",
                "ground.terrain_rounds=0", "ground.subdivision=1", "ground.contact_slope=0"}),
+      without("no reach", "sensors of few rows carry no terrain on along rings",
+              {"ground.reach_rounds=0"}),
       without("even rows", "rows by the paper's Eq. 1", {"projection.row_source=equation"}),
       without("no newborn gates", "traces seen once have no wider gates",
               {"tracking.newborn=false"}),
