@@ -30,15 +30,25 @@ void readArguments(CLI::App& program, ScoreboardRequest& request) {
   program.add_option("OUTPUT", request.output, "Folder for results.md and pictures")->required();
 }
 
+void checkNames(const std::vector<std::string>& wanted, const std::vector<Variant>& all) {
+  std::string names;
+  for (const Variant& variant : all) names += (names.empty() ? "" : ", ") + variant.name;
+  for (const std::string& name : wanted) {
+    const auto hasName = [&](const Variant& variant) { return variant.name == name; };
+    if (std::none_of(all.begin(), all.end(), hasName))
+      throw UserError("--variant " + name, "there is none of that name", "take some of: " + names);
+  }
+}
+
 std::vector<Variant> chosenVariants(const ScoreboardRequest& request) {
   std::vector<Variant> all = allVariants(request.quick);
+  if (request.variants.empty()) return all;
+  checkNames(request.variants, all);
   const auto isUnwanted = [&](const Variant& variant) {
     const auto& wanted = request.variants;
     return std::find(wanted.begin(), wanted.end(), variant.name) == wanted.end();
   };
-  if (!request.variants.empty())
-    all.erase(std::remove_if(all.begin(), all.end(), isUnwanted), all.end());
-  if (all.empty()) throw UserError("--variant", "there is none of that name", "see --help");
+  all.erase(std::remove_if(all.begin(), all.end(), isUnwanted), all.end());
   return all;
 }
 
