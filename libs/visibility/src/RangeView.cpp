@@ -12,7 +12,10 @@ namespace toss {
 namespace {
 
 constexpr float kPi = 3.14159265358979f;
-constexpr float kEmpty = std::numeric_limits<float>::infinity();
+constexpr float kNothing = std::numeric_limits<float>::infinity();
+constexpr float kStepsPerMetre = 100.0f;
+/// Also of pixels without returns.
+constexpr RangeView::Steps kEmpty = std::numeric_limits<RangeView::Steps>::max();
 /// Steps from the horizon to the zenith: 0.014 degrees each near the horizon, far below any row
 /// spacing. The sine of elevation is z over range: no arc tangent is needed for the row.
 constexpr int kHalfSineSteps = 4096;
@@ -25,6 +28,10 @@ constexpr float kDense = 1.0f * kPi / 180.0f;
 /// Points that are worked on together.
 constexpr std::size_t kBlock = 256;
 
+float metres(RangeView::Steps steps) {
+  return static_cast<float>(steps) * (1.0f / kStepsPerMetre);
+}
+
 std::int32_t sineStep(float sine) {
   return static_cast<std::int32_t>((sine + 1.0f) * static_cast<float>(kHalfSineSteps));
 }
@@ -34,17 +41,17 @@ std::size_t sineStepOfElevation(float elevation) {
       sineStep(std::sin(std::clamp(elevation, -0.5f * kPi, 0.5f * kPi))));
 }
 
-/// Shortest of the ranges over `limit` [m] in the neighbourhood of column `c`, the limit if they
-/// are too few. `rows`: the pixel's row and its neighbours, shape [width] each.
-float shortestBehind(const std::array<const float*, 3>& rows, std::size_t c, std::size_t width,
-                     float limit) {
-  float shortest = kEmpty;
+/// Shortest of the ranges over `limit` in the neighbourhood of column `c`, the limit if they are
+/// too few. `rows`: the pixel's row and its neighbours, shape [width] each.
+RangeView::Steps shortestBehind(const std::array<const RangeView::Steps*, 3>& rows, std::size_t c,
+                                std::size_t width, RangeView::Steps limit) {
+  RangeView::Steps shortest = kEmpty;
   int count = 0;
   const std::array<std::size_t, 3> columns = {c > 0 ? c - 1 : width - 1, c,
                                               c + 1 < width ? c + 1 : 0};
-  for (const float* row : rows) {
+  for (const RangeView::Steps* row : rows) {
     for (const std::size_t column : columns) {
-      const float range = row[column];
+      const RangeView::Steps range = row[column];
       if (range <= limit || range == kEmpty) continue;
       ++count;
       shortest = std::min(shortest, range);
@@ -106,16 +113,20 @@ void RangeView::fillRanges(const RangeImage& image, const PointCloud& points,
   for (int c = 0; c < image.columns; ++c)
     scratch.columnOf[static_cast<std::size_t>(c)] =
         static_cast<std::uint16_t>(c * columns_ / image.columns);
-  std::array<std::int32_t, kBlock> sine;
+  std::array<std::int32_t, kBlock> sine, steps;
   for (std::size_t begin = 0; begin < points.size(); begin += kBlock) {
     const std::size_t size = std::min(kBlock, points.size() - begin);
-    for (std::size_t i = 0; i < size; ++i)
-      sine[i] = sineStep(points.z[begin + i] / image.range[begin + i]);
+    for (std::size_t i = 0; i < size; ++i) {
+      const float range = image.range[begin + i];
+      sine[i] = sineStep(points.z[begin + i] / range);
+      steps[i] = static_cast<std::int32_t>(
+          std::min(range * kStepsPerMetre + 0.5f, static_cast<float>(kEmpty - 1)));
+    }
     for (std::size_t i = 0; i < size; ++i) {
       if (image.row[begin + i] == RangeImage::kNoRow) continue;
       const auto row = static_cast<std::size_t>(rowOfSine_[static_cast<std::size_t>(sine[i])]);
-      float& range = scratch.ranges[row * width + scratch.columnOf[image.column[begin + i]]];
-      range = std::min(range, image.range[begin + i]);
+      Steps& range = scratch.ranges[row * width + scratch.columnOf[image.column[begin + i]]];
+      range = std::min(range, static_cast<Steps>(steps[i]));
     }
   }
   std::fill(scratch.ranges.end() - columns_, scratch.ranges.end(), kEmpty);
@@ -124,16 +135,16 @@ void RangeView::fillRanges(const RangeImage& image, const PointCloud& points,
 TOSS_ALSO_FOR_AVX2
 void RangeView::spreadAlongRows(Scratch& scratch) const {
   const auto width = static_cast<std::size_t>(columns_);
-  const auto finite = [](float range) { return range < kEmpty ? range : 0.0f; };
+  const auto measured = [](Steps range) { return range < kEmpty ? range : Steps{0}; };
   scratch.alongRow.resize(scratch.ranges.size());
   scratch.farthestAlongRow.resize(scratch.ranges.size());
   for (std::size_t begin = 0; begin < scratch.ranges.size(); begin += width) {
-    const float* in = scratch.ranges.data() + begin;
-    float* nearest = scratch.alongRow.data() + begin;
-    float* farthest = scratch.farthestAlongRow.data() + begin;
+    const Steps* in = scratch.ranges.data() + begin;
+    Steps* nearest = scratch.alongRow.data() + begin;
+    Steps* farthest = scratch.farthestAlongRow.data() + begin;
     const auto fill = [&](std::size_t left, std::size_t c, std::size_t right) {
       nearest[c] = std::min(std::min(in[left], in[c]), in[right]);
-      farthest[c] = std::max(std::max(finite(in[left]), finite(in[c])), finite(in[right]));
+      farthest[c] = std::max(std::max(measured(in[left]), measured(in[c])), measured(in[right]));
     };
     for (std::size_t c = 1; c + 1 < width; ++c) fill(c - 1, c, c + 1);
     fill(width - 1, 0, 1);
@@ -141,38 +152,46 @@ void RangeView::spreadAlongRows(Scratch& scratch) const {
   }
 }
 
-TOSS_ALSO_FOR_AVX2
-void RangeView::fillPixels(const Scratch& scratch) {
+void RangeView::fillPixels(Scratch& scratch) {
   const auto width = static_cast<std::size_t>(columns_);
   pixels_.resize(scratch.ranges.size());
-  std::fill(pixels_.end() - columns_, pixels_.end(), Pixel{kEmpty, kEmpty, 0.0f, 0.0f});
-  for (int r = 0; r < rows_; ++r) {
-    const auto row = [&](const std::vector<float>& values, int index) {
-      return values.data() + static_cast<std::size_t>(std::max(index, 0)) * width;
-    };
-    // The row under the lowest is empty; its place is taken by the lowest but in glimpses.
-    const int above = r - 1, under = std::min(r + 1, rows_ - 1), deeper = std::min(r + 2, rows_);
-    const float *n0 = row(scratch.alongRow, above), *n1 = row(scratch.alongRow, r),
-                *n2 = row(scratch.alongRow, under);
-    const float *f0 = row(scratch.farthestAlongRow, above), *f1 = row(scratch.farthestAlongRow, r),
-                *f2 = row(scratch.farthestAlongRow, under),
-                *g1 = row(scratch.farthestAlongRow, r + 1),
-                *g2 = row(scratch.farthestAlongRow, deeper);
-    const std::array<const float*, 3> ranges = {row(scratch.ranges, above), row(scratch.ranges, r),
-                                                row(scratch.ranges, under)};
-    Pixel* out = pixels_.data() + static_cast<std::size_t>(r) * width;
-    for (std::size_t c = 0; c < width; ++c) {
-      const float beneath = std::max(g1[c], g2[c]);
-      out[c] = {ranges[1][c], std::min(std::min(n0[c], n1[c]), n2[c]),
-                dense_ ? std::max(f1[c], beneath) : beneath, kEmpty};
-    }
-    for (std::size_t c = 0; c < width; ++c)
-      if (out[c].nearest < occluderShare_ * std::max(std::max(f0[c], f1[c]), f2[c]))
-        out[c].behind = shortestBehind(ranges, c, width, out[c].nearest / occluderShare_);
-    // Past a surface seen at a grazing angle all rays go but those under it.
-    for (std::size_t c = 0; c < width; ++c)
-      out[c].behind = n2[c] == kEmpty ? 0.0f : std::min(out[c].behind, std::max(g1[c], g2[c]));
+  scratch.behind.resize(width);
+  for (int r = 0; r < rows_; ++r) fillRow(r, scratch);
+  std::fill(pixels_.end() - columns_, pixels_.end(), Pixel{kEmpty, kEmpty, 0, 0});
+}
+
+TOSS_ALSO_FOR_AVX2
+void RangeView::fillRow(int r, Scratch& scratch) {
+  const auto width = static_cast<std::size_t>(columns_);
+  const auto row = [&](const std::vector<Steps>& values, int index) {
+    return values.data() + static_cast<std::size_t>(std::max(index, 0)) * width;
+  };
+  // The row under the lowest is empty; its place is taken by the lowest but in glimpses.
+  const int above = r - 1, under = std::min(r + 1, rows_ - 1), deeper = std::min(r + 2, rows_);
+  const Steps *n0 = row(scratch.alongRow, above), *n1 = row(scratch.alongRow, r),
+              *n2 = row(scratch.alongRow, under);
+  const Steps *f0 = row(scratch.farthestAlongRow, above), *f1 = row(scratch.farthestAlongRow, r),
+              *f2 = row(scratch.farthestAlongRow, under);
+  const Steps *g1 = row(scratch.farthestAlongRow, r + 1),
+              *g2 = row(scratch.farthestAlongRow, deeper), *glimpsing = dense_ ? f1 : g1;
+  const std::array<const Steps*, 3> ranges = {row(scratch.ranges, above), row(scratch.ranges, r),
+                                              row(scratch.ranges, under)};
+  const auto nearest = [&](std::size_t c) { return std::min(std::min(n0[c], n1[c]), n2[c]); };
+  // Past a surface seen at a grazing angle all rays go but those under it.
+  Steps* behind = scratch.behind.data();
+  for (std::size_t c = 0; c < width; ++c)
+    behind[c] = n2[c] == kEmpty ? Steps{0} : std::max(g1[c], g2[c]);
+  for (std::size_t c = 0; c < width; ++c) {
+    const float occluders = occluderShare_ * std::max(std::max(f0[c], f1[c]), f2[c]);
+    if (const Steps first = nearest(c); first < occluders)
+      behind[c] =
+          std::min(behind[c],
+                   shortestBehind(ranges, c, width,
+                                  static_cast<Steps>(static_cast<float>(first) / occluderShare_)));
   }
+  Pixel* out = pixels_.data() + static_cast<std::size_t>(r) * width;
+  for (std::size_t c = 0; c < width; ++c)
+    out[c] = {ranges[1][c], nearest(c), std::max(std::max(g1[c], g2[c]), glimpsing[c]), behind[c]};
 }
 
 TOSS_ALSO_FOR_AVX2
@@ -207,14 +226,14 @@ void RangeView::testify(const float* x, const float* y, const float* z, std::siz
     }
     for (std::size_t i = 0; i < size; ++i) seen[i] = *pixels[i];
     for (std::size_t i = 0; i < size; ++i) {
-      const float range = block.range[i], nearest = seen[i].nearest;
+      const float range = block.range[i], nearest = metres(seen[i].nearest);
       const float past = range + freeMargin_ + freeMarginShare_ * range;
-      const float unhidden = nearest < occluderShare_ * range ? kEmpty : nearest;
-      const float first = std::min(unhidden, seen[i].behind);
+      const float unhidden = nearest < occluderShare_ * range ? kNothing : nearest;
+      const float first = std::min(unhidden, metres(seen[i].behind));
       const bool free = first > past;
-      const bool hit =
-          std::fabs(nearest - range) < hitMargin_ || std::fabs(seen[i].range - range) < hitMargin_;
-      const bool glimpse = !hit && seen[i].farthest > past;
+      const bool hit = std::fabs(nearest - range) < hitMargin_ ||
+                       std::fabs(metres(seen[i].range) - range) < hitMargin_;
+      const bool glimpse = !hit && metres(seen[i].farthest) > past;
       glimpseViews[begin + i] = static_cast<std::uint8_t>(glimpseViews[begin + i] + glimpse);
       freeViews[begin + i] = static_cast<std::uint8_t>(freeViews[begin + i] + free);
       hitViews[begin + i] = static_cast<std::uint8_t>(hitViews[begin + i] + hit);

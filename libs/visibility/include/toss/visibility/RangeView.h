@@ -14,12 +14,18 @@ namespace toss {
 /// The ranges that one scan measured, kept to be asked later: "did you see through this point?"
 class RangeView {
  public:
+  /// Range in steps of 1 cm, at most 655 m: all views of some seconds are kept.
+  using Steps = std::uint16_t;
+
   /// Working memory of look(), to be kept from scan to scan.
   struct Scratch {
-    /// Shortest range of each pixel, and of it and its neighbours in the row [m].
-    std::vector<float> ranges, alongRow;
-    /// Longest range of each pixel and its neighbours in the row [m].
-    std::vector<float> farthestAlongRow;
+    /// Shortest range of each pixel, and of it and its neighbours in the row, the most steps where
+    /// empty.
+    std::vector<Steps> ranges, alongRow;
+    /// Longest range of each pixel and its neighbours in the row, 0 where empty.
+    std::vector<Steps> farthestAlongRow;
+    /// Of one row: what lies behind, see Pixel.
+    std::vector<Steps> behind;
     /// Column of the view that each column of the scan's image falls into.
     std::vector<std::uint16_t> columnOf;
   };
@@ -45,18 +51,19 @@ class RangeView {
                std::uint8_t* glimpseViews) const;
 
  private:
-  /// Shortest range of a pixel and of its 3 x 3 neighbourhood [m], infinite where empty; the
+  /// Shortest range of a pixel and of its 3 x 3 neighbourhood, the most steps where empty; the
   /// longest of the rows that glimpse past it, 0 where empty; and the longest of the two rows
   /// below, or where something occludes the neighbourhood (a window's frame, a trunk) the shortest
   /// behind that if it is less, 0 where the row below is empty: side by side, since they are asked
   /// for together.
   struct Pixel {
-    float range, nearest, farthest, behind;
+    Steps range, nearest, farthest, behind;
   };
   void fillRowTable(const std::vector<float>& elevations);
   void fillRanges(const RangeImage& image, const PointCloud& points, Scratch& scratch) const;
   void spreadAlongRows(Scratch& scratch) const;
-  void fillPixels(const Scratch& scratch);
+  void fillPixels(Scratch& scratch);
+  void fillRow(int row, Scratch& scratch);
 
   int mostColumns_, rows_ = 0, columns_ = 0;
   /// Whether rows are near to each other.
