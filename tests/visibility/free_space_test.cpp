@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <random>
+#include <set>
 
 #include "AnalyticScene.h"
 
@@ -327,6 +328,35 @@ TEST(CellThinning, KeepsTheFirstReturnOfEachCellAndASampleOfLargeInstances) {
   ASSERT_EQ(loneCells.size(), cells.loneCell.size());
   for (std::size_t i = 0; i < loneCells.size(); ++i)
     EXPECT_EQ(loneCells[i], static_cast<std::size_t>(cells.loneCell[i]));
+}
+
+TEST(CellThinning, CellsOfAHugeInstanceAreSpreadOverIt) {
+  constexpr std::size_t kMaxCells = 40;
+  constexpr double kCellSize = 0.5;
+  LevelPoints wall;
+  Segmentation segmentation;
+  segmentation.instanceCount = 1;
+  // Row after row as a scan brings them: 50 rows of a wall of 40 m.
+  for (int row = 0; row < 50; ++row)
+    for (int column = 0; column < 400; ++column) {
+      wall.x.push_back(0.1f * static_cast<float>(column) + 0.05f), wall.y.push_back(7.0f);
+      wall.z.push_back(0.04f * static_cast<float>(row) + 0.02f);
+      segmentation.instance.push_back(1);
+      segmentation.pointClass.push_back(PointClass::Instance);
+    }
+  groupMembers(segmentation);
+  EvidenceCells cells;
+  CellThinning(kCellSize, kMaxCells).thin(wall, segmentation, cells);
+  EXPECT_LE(cells.size(), kMaxCells);
+  EXPECT_GT(cells.size(), kMaxCells / 2);
+  std::set<std::pair<int, int>> places;
+  std::array<int, 4> inQuarter{};
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    places.emplace(std::floor(cells.x[c] / kCellSize), std::floor(cells.z[c] / kCellSize));
+    ++inQuarter[static_cast<std::size_t>(cells.x[c] / 10.0f)];
+  }
+  EXPECT_EQ(cells.size(), places.size());
+  for (const int count : inQuarter) EXPECT_GT(count, static_cast<int>(cells.size()) / 8);
 }
 
 }  // namespace

@@ -14,6 +14,8 @@ constexpr std::int32_t kAxisMask = (1 << kAxisBits) - 1;
 /// Bits of a cell's key, above which stands the number of its round.
 constexpr int kKeyBits = 3 * kAxisBits;
 constexpr std::uint64_t kRounds = std::uint64_t{1} << (64 - kKeyBits);
+/// Returns of an instance that are looked at for each cell that it may have.
+constexpr std::size_t kLooksPerCell = 16;
 
 /// Cell number along one axis, rounded down by hand: calls of std::floor take long.
 std::int32_t axisBits(float inCells) {
@@ -130,6 +132,13 @@ void CellThinning::thinUnclustered(const LevelPoints& points, const Segmentation
 void CellThinning::thinInstance(const LevelPoints& points, const std::int32_t* begin,
                                 const std::int32_t* end, std::int32_t instance,
                                 EvidenceCells& cells) {
+  // Of walls with thousands of returns a few per cell find as many cells as are asked for.
+  const auto count = static_cast<std::size_t>(end - begin), most = kLooksPerCell * maxCells_;
+  if (count > most) {
+    sample_.resize(most);
+    for (std::size_t i = 0; i < most; ++i) sample_[i] = begin[i * count / most];
+    begin = sample_.data(), end = begin + most;
+  }
   startTable(static_cast<std::size_t>(end - begin));
   visitKeys(points, begin, end, true,
             [&](std::int32_t point, std::uint64_t key) { slotOf(key, point); });

@@ -19,7 +19,8 @@ class CellThinning {
         maxCells_(static_cast<std::size_t>(maxCells)) {}
 
   /// Replaces `cells`; the first return of a cell stands for it, and of instances with more than
-  /// the most cells every so manieth cell for all. All counts are 0.
+  /// the most cells every so manieth cell for all. Of an instance with over 16 returns for each of
+  /// the most cells, so many are looked at, evenly in order of the scan. All counts are 0.
   void thin(const LevelPoints& points, const Segmentation& segmentation, EvidenceCells& cells);
 
  private:
@@ -54,6 +55,8 @@ class CellThinning {
   int shift_ = 64;
   /// First point of each cell met so far.
   std::vector<std::int32_t> firstPoint_;
+  /// Returns of an instance that has more than are looked at.
+  std::vector<std::int32_t> sample_;
   /// Points that stand for the cells of the scan.
   std::vector<std::int32_t> picked_;
 };
