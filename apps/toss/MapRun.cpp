@@ -65,9 +65,9 @@ class MapRunner {
       : request_(request),
         scans_(request.input, input, request.from, request.to),
         settledScans_(request.input, input, request.from, request.to),
+        outputs_(request, lidars.front().configuration.render),
         tiles_(request.output / "map_tiles"),
         pipeline_(&tiles_),
-        outputs_(request, lidars.front().configuration.render),
         progress_("mapping", "scans", quiet) {
     for (const LidarSetup& lidar : lidars)
       pipeline_.add(lidar.label, lidar.configuration.pipeline, lidar.sensor.model);
@@ -190,9 +190,9 @@ class MapRunner {
 
   const MapRequest& request_;
   ScanRange scans_, settledScans_;
+  MapOutputs outputs_;
   TileFolder tiles_;
   MultiLidarPipeline pipeline_;
-  MapOutputs outputs_;
   Progress progress_;
   std::uint64_t written_ = 0;
   double rest_ = 0.0;
@@ -223,7 +223,7 @@ namespace {
 class FoundPoses {
  public:
   FoundPoses(const MapRequest& request, const RunConfiguration& configuration, bool quiet)
-      : path_(request.output / "poses.txt"), file_((makeFolder(request.output), path_)) {
+      : folder_(request.output), path_(request.output / "poses.txt"), file_(path_) {
     if (!configuration.input.poseFile.empty())
       throw UserError("--odometry", "poses are given too, with --poses or input.pose_file",
                       "leave one of them away");
@@ -248,6 +248,7 @@ class FoundPoses {
     configuration.input.timeOffset = 0.0;
   }
 
+  MadeFolder folder_;
   std::filesystem::path path_;
   AtomicFile file_;
   std::string note_;

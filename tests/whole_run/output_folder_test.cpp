@@ -25,6 +25,18 @@ TEST_F(OutputFolder, IsMadeWithTheFoldersAboveIt) {
   EXPECT_TRUE(fs::exists(in("new") / "deep" / "run" / "summary.json"));
 }
 
+TEST_F(OutputFolder, IsNotThereAfterALogThatEndsInTheMiddleOfAScan) {
+  const std::string bytes = readBytes(rawlog());
+  writeBytes(in("cut.rawlog"), bytes.substr(0, bytes.size() / 2));
+  complaintOf("map --no-snapshots " + quoted(in("cut.rawlog")) + " --out " +
+              quoted(in("none") / "deep" / "run"));
+  EXPECT_FALSE(fs::exists(in("none")));
+  fs::create_directories(in("mine already"));
+  complaintOf("map --no-snapshots " + quoted(in("cut.rawlog")) + " --out " +
+              quoted(in("mine already")));
+  EXPECT_TRUE(fs::is_empty(in("mine already")));
+}
+
 TEST_F(OutputFolder, LabelsOfADatasetAreNeverReplaced) {
   runWell("simulate crossing " + quoted(in("kitti")) + " --format kitti --frames 6");
   const auto before = filesIn(in("kitti"));

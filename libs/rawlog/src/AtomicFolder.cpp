@@ -26,8 +26,25 @@ void makeFolder(const std::filesystem::path& folder) {
                     "check the permissions of the folder it is to be in");
 }
 
+MadeFolder::MadeFolder(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  for (std::filesystem::path each = folder;
+       !each.empty() && !std::filesystem::exists(each, ignored); each = each.parent_path())
+    made_.push_back(each);
+  if (!made_.empty()) makeFolder(folder);
+}
+
+MadeFolder::~MadeFolder() {
+  std::error_code ignored;
+  for (const std::filesystem::path& folder : made_) {
+    if (std::filesystem::is_empty(folder, ignored)) std::filesystem::remove(folder, ignored);
+  }
+}
+
 AtomicFolder::AtomicFolder(std::filesystem::path finalPath)
-    : finalPath_(std::move(finalPath)), temporaryPath_(besides(finalPath_, "partial")) {
+    : finalPath_(std::move(finalPath)),
+      temporaryPath_(besides(finalPath_, "partial")),
+      parent_(temporaryPath_.parent_path()) {
   makeFolder(temporaryPath_);
 }
 
