@@ -7,6 +7,7 @@
 #include <toss/rawlog/RawlogWriter.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -24,19 +25,29 @@ mrpt::obs::CObservationRobotPose robotPoseOf(const PosedScan& scan) {
   return observation;
 }
 
-void takePoints(const PosedScan& scan, const ScanLabels& labels, PointState state,
-                mrpt::maps::CPointsMapXYZI& cloud) {
-  const PointCloud& points = scan.points;
-  cloud.setSize(
-      static_cast<std::size_t>(std::count(labels.state.begin(), labels.state.end(), state)));
-  std::size_t row = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (labels.state[i] != state) continue;
-    cloud.setPointFast(row, points.x[i], points.y[i], points.z[i]);
-    cloud.setPointColor_fast(row, points.intensity.empty() ? 0.0f : points.intensity[i], 0, 0);
-    ++row;
+/// A cloud of MRPT that takes its points all at once: MRPT's own setters are two calls for each.
+class BulkPoints : public mrpt::maps::CPointsMapXYZI {
+ public:
+  /// Replaces the points by those of a scan that are in one state.
+  void assign(const PointCloud& points, const std::vector<PointState>& states, PointState state) {
+    resize(static_cast<std::size_t>(std::count(states.begin(), states.end(), state)));
+    if (points.intensity.empty()) std::fill(m_intensity.begin(), m_intensity.end(), 0.0f);
+    std::ptrdiff_t place = 0;
+    for (auto begin = states.begin(), end = begin; begin != states.end(); begin = end) {
+      begin = std::find(end, states.end(), state);
+      end = std::find_if(begin, states.end(), [&](PointState each) { return each != state; });
+      const auto take = [&](const std::vector<float>& values, auto& kept) {
+        if (values.empty()) return;
+        std::copy(values.begin() + (begin - states.begin()),
+                  values.begin() + (end - states.begin()), kept.begin() + place);
+      };
+      take(points.x, m_x), take(points.y, m_y), take(points.z, m_z);
+      take(points.intensity, m_intensity);
+      place += end - begin;
+    }
+    mark_as_modified();
   }
-}
+};
 
 /// What is written of the scans in one state.
 struct StateLog {
@@ -44,7 +55,7 @@ struct StateLog {
   /// Before the ending that tells the LiDAR.
   std::string label;
   /// Kept from scan to scan for its memory.
-  mrpt::maps::CPointsMapXYZI::Ptr points = mrpt::maps::CPointsMapXYZI::Create();
+  std::shared_ptr<BulkPoints> points = std::make_shared<BulkPoints>();
 };
 
 }  // namespace
@@ -55,7 +66,7 @@ struct FilteredRawlogWriter::Implementation {
     observation.sensorLabel = log.label + endingOf(scan.sensorLabel);
     observation.timestamp = toMrptTime(scan.time);
     observation.sensorPose = toMrpt(scan.robotFromSensor);
-    takePoints(scan, labels, log.state, *log.points);
+    log.points->assign(scan.points, labels.state, log.state);
     observation.pointcloud = log.points;
     writer.write(observation);
   }
