@@ -62,5 +62,11 @@ TEST(ScanLabeling, ReleasedResidueMovesWithItsTrace) {
   EXPECT_EQ(labels.track[4], kCutter);
 }
 
+TEST(ScanRecord, ReturnsOfOwnersThatTwoBytesCanNotNameAreNobodys) {
+  EXPECT_EQ(ScanRecord::ownerIndex(0), 0);
+  EXPECT_EQ(ScanRecord::ownerIndex(65535), 65535);
+  EXPECT_EQ(ScanRecord::ownerIndex(65536), 0);
+}
+
 }  // namespace
 }  // namespace toss::test

@@ -52,6 +52,12 @@ void RecordBuilder::addInstances(const std::vector<Detection>& detections, const
   }
 }
 
+void RecordBuilder::addOwnInstances(const std::vector<std::int32_t>& instance, ScanRecord& record) {
+  takeSpare(spareOwners_, record.owner);
+  record.owner.resize(instance.size());
+  std::transform(instance.begin(), instance.end(), record.owner.begin(), ScanRecord::ownerIndex);
+}
+
 /// Without choices by what a claim is, as no one could foretell it.
 void RecordBuilder::addOwners(const std::vector<Track>& tracks, const BoxClaims::Claims& claims,
                               ScanRecord& record) {
@@ -60,7 +66,8 @@ void RecordBuilder::addOwners(const std::vector<Track>& tracks, const BoxClaims:
   record.residue.resize(claims.residueCount + 1);
   std::size_t residueCount = 0;
   for (const BoxClaims::Claim& claim : claims) {
-    record.owner[static_cast<std::size_t>(claim.point)] = ownerOf(claim, tracks, record);
+    record.owner[static_cast<std::size_t>(claim.point)] =
+        ScanRecord::ownerIndex(ownerOf(claim, tracks, record));
     record.residue[residueCount] = claim.point;
     residueCount += claim.residue;
   }
@@ -144,7 +151,7 @@ ScanRecord RecordBuilder::build(const PosedScan& scan, const SegmentedScan& segm
   record.time = scan.time;
   record.sensorPosition = scan.mapFromSensor.translation();
   copyIntoSpare(segmented.segmentation.pointClass, spareClasses_, record.pointClass);
-  copyIntoSpare(segmented.segmentation.instance, spareOwners_, record.owner);
+  addOwnInstances(segmented.segmentation.instance, record);
   copyIntoSpare(scan.points.intensity, spareIntensities_, record.intensity);
   takeSpare(spareResidues_, record.residue);
   takeSpare(sparePlaces_, record.residuePlace);

@@ -38,6 +38,8 @@ class RecordBuilder {
  private:
   void addInstances(const std::vector<Detection>& detections, const Tracker& tracker,
                     ScanRecord& record) const;
+  /// Makes every return that of its instance.
+  void addOwnInstances(const std::vector<std::int32_t>& instance, ScanRecord& record);
   void addClaims(const SegmentedScan& segmented, const std::vector<Detection>& detections,
                  const Tracker& tracker, ScanRecord& record);
   void addOwners(const std::vector<Track>& tracks, const BoxClaims::Claims& claims,
@@ -55,7 +57,8 @@ class RecordBuilder {
   std::vector<LevelPoints> spareLevels_;
   std::vector<std::vector<float>> spareIntensities_;
   std::vector<std::vector<PointClass>> spareClasses_;
-  std::vector<std::vector<std::int32_t>> spareOwners_, spareResidues_;
+  std::vector<std::vector<ScanRecord::OwnerIndex>> spareOwners_;
+  std::vector<std::vector<std::int32_t>> spareResidues_;
   std::vector<std::vector<VoxelKey>> sparePlaces_;
 };
 

@@ -8,6 +8,7 @@
 #include <toss/voting/DsVoting.h>
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace toss {
@@ -39,12 +40,20 @@ struct Owner {
 
 /// One scan from the time it came in until its labels are final. Index-aligned with its points.
 struct ScanRecord {
+  /// Index into `owners`: two bytes, as records of a minute are kept. Returns of owners that it
+  /// can not name, beyond any that a scan was seen to have, are nobody's.
+  using OwnerIndex = std::uint16_t;
+  static OwnerIndex ownerIndex(std::int32_t owner) {
+    return owner <= std::numeric_limits<OwnerIndex>::max() ? static_cast<OwnerIndex>(owner)
+                                                           : OwnerIndex{0};
+  }
+
   std::uint64_t scan = 0;
   double time = 0.0;
   Eigen::Vector3d sensorPosition = Eigen::Vector3d::Zero();
-  /// Shape [n]: class, and owner (index into `owners`).
+  /// Shape [n].
   std::vector<PointClass> pointClass;
-  std::vector<std::int32_t> owner;
+  std::vector<OwnerIndex> owner;
   /// Returns that owners have as residue, ascending; and the place of each in the static map, from
   /// the time on when the scan is in it.
   std::vector<std::int32_t> residue;
