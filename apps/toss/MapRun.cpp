@@ -71,6 +71,7 @@ class MapRunner {
         progress_("mapping", "scans", quiet) {
     for (const LidarSetup& lidar : lidars)
       pipeline_.add(lidar.label, lidar.configuration.pipeline, lidar.sensor.model);
+    if (!request.liveLabels) pipeline_.skipLiveLabels();
   }
 
   void run() {

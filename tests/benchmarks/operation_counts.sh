@@ -25,7 +25,8 @@ toss=build/apps/toss/toss
 valgrind --tool=callgrind --callgrind-out-file="$work/counts" --log-file="$work/valgrind.log" \
   --toggle-collect='toss::Pipeline::process(*' --toggle-collect='toss::Pipeline::decideRest(*' \
   --toggle-collect='toss::Pipeline::settleNext(*' --toggle-collect='toss::Segmenter::segment(*' \
-  "$toss" --quiet map "$work/log.rawlog" --out "$work/run" --threads 1 --no-snapshots ||
+  "$toss" --quiet map "$work/log.rawlog" --out "$work/run" --threads 1 --no-snapshots \
+  --live-labels ||
   { cat "$work/valgrind.log" >&2; exit 2; }
 callgrind_annotate --inclusive=yes --threshold=100 "$work/counts" >"$work/functions"
 

@@ -110,6 +110,18 @@ TEST(PipelineLabels, AreTheSameWhenTheLogIsRunAgain) {
   expectSameLabels(first.settled, second.settled);
 }
 
+TEST(PipelineLabels, AreFinallyTheSameWithoutLiveOnes) {
+  const auto scans = crossingScans(30);
+  const PipelineRun both = runOf(scans);
+  PipelineRun finalOnly;
+  finalOnly.pipeline->skipLiveLabels();
+  for (const SimulatedScan& each : scans) finalOnly.process(each.scan);
+  finalOnly.finish();
+  for (const ScanLabels& labels : finalOnly.live) EXPECT_TRUE(labels.state.empty());
+  expectSameLabels(both.settled, finalOnly.settled);
+  EXPECT_TRUE(sameMap(both.pipeline->staticMap(), finalOnly.pipeline->staticMap()));
+}
+
 TEST(PipelineLabels, WithoutVisibilityComeFromMotionAndVotesAlone) {
   PipelineOptions options;
   options.visibility.enabled = false;

@@ -54,6 +54,10 @@ const ScanLabels& MultiLidarPipeline::process(const PosedScan& scan, FirstStages
   return live;
 }
 
+void MultiLidarPipeline::skipLiveLabels() {
+  for (auto& [label, lidar] : lidars_) lidar.pipeline->skipLiveLabels();
+}
+
 void MultiLidarPipeline::gather(Lidar& lidar) {
   for (ScanLabels& labels : lidar.pipeline->takeSettled()) {
     lidar.settled.push_back(std::move(labels));

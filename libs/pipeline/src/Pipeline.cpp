@@ -49,6 +49,10 @@ const ScanLabels& Pipeline::process(const PosedScan& scan, FirstStages& first) {
   return stages.live;
 }
 
+void Pipeline::skipLiveLabels() {
+  implementation_->liveLabels = false;
+}
+
 void Pipeline::finish() {
   decideRest();
   for (ScanLabels labels; settleNext(labels);)

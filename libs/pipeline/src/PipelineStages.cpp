@@ -59,14 +59,18 @@ void Pipeline::Implementation::askViews(const PosedScan& scan) {
     EvidenceCells cells;
     thinning.thin(segmented.level, segmented.segmentation, cells);
     witness.add(scan.time, segmented.image, scan.points, scan.mapFromSensor, std::move(cells));
-    pastEvidence = sumByInstance(witness.latest(), segmented.segmentation.instanceCount,
-                                 options.visibility.minFreeViews);
-    for (std::size_t k = 1; k < pastEvidence.size(); ++k)
-      if (const TrackId id = records.back().owners[k].track; id != 0)
-        traces.addPast(id, pastEvidence[k]);
+    if (liveLabels) takePastEvidence();
   }
   builder.takeLevel(segmented.level, records.back());
   clock.lap("visibility");
+}
+
+void Pipeline::Implementation::takePastEvidence() {
+  pastEvidence = sumByInstance(witness.latest(), segmented.segmentation.instanceCount,
+                               options.visibility.minFreeViews);
+  for (std::size_t k = 1; k < pastEvidence.size(); ++k)
+    if (const TrackId id = records.back().owners[k].track; id != 0)
+      traces.addPast(id, pastEvidence[k]);
 }
 
 void Pipeline::Implementation::vote(const PosedScan& scan) {
@@ -82,9 +86,10 @@ void Pipeline::Implementation::vote(const PosedScan& scan) {
 }
 
 void Pipeline::Implementation::labelLive() {
-  labelScan(
-      records.back(), judge.live(records.back(), pastEvidence),
-      [&](TrackId id) { return isDynamic(traces.liveClass(id)); }, live);
+  if (liveLabels)
+    labelScan(
+        records.back(), judge.live(records.back(), pastEvidence),
+        [&](TrackId id) { return isDynamic(traces.liveClass(id)); }, live);
   clock.lap("labels");
 }
 

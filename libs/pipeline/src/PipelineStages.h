@@ -32,6 +32,8 @@ struct Pipeline::Implementation {
   void track(const PosedScan& scan);
   /// Views of other scans testify, as far as they have been taken (spec section 12).
   void askViews(const PosedScan& scan);
+  /// What past views say about each instance, and about its trace.
+  void takePastEvidence();
   /// Stage 7: the boxes vote and are voted on.
   void vote(const PosedScan& scan);
   /// The answer with no look-ahead.
@@ -86,6 +88,8 @@ struct Pipeline::Implementation {
   std::size_t committed = 0, decided = 0;
   std::vector<ScanLabels> settled;
   ScanLabels live;
+  /// Whether live labels are wanted.
+  bool liveLabels = true;
   StageClock clock;
 };
 

@@ -34,6 +34,8 @@ class MultiLidarPipeline {
   /// The same in two steps: see Pipeline.
   void segment(const PosedScan& scan, FirstStages& result);
   const ScanLabels& process(const PosedScan& scan, FirstStages& first);
+  /// See Pipeline; for the LiDARs that were added before.
+  void skipLiveLabels();
   /// Of the scan that process() took last: see Pipeline.
   const SegmentedScan& segmentedScan() const { return last_->pipeline->segmentedScan(); }
   const std::vector<std::pair<std::string, double>>& stageTimes() const {

@@ -45,6 +45,10 @@ class Pipeline {
   /// the scan before in its place.
   void segment(const PosedScan& scan, FirstStages& result);
   const ScanLabels& process(const PosedScan& scan, FirstStages& first);
+  /// For who wants final labels and the map alone: live labels, which take what past views say
+  /// about every trace, are not made; process() returns empty ones from now on. Not to be called
+  /// after the first scan, as traces would lack what was not asked; pendingMap() knows motion only.
+  void skipLiveLabels();
   /// Segmentation of the scan that process() took last, for viewers; its level coordinates hold
   /// no meaning, as those of the scan have become part of what is kept of it.
   const SegmentedScan& segmentedScan() const;
