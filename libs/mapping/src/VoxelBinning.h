@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "CrowdedVoxels.h"
 #include "VoxelRuns.h"
 
@@ -16,9 +19,14 @@ class VoxelBinning {
 
  private:
   void limitCrowded(const VoxelReturns& returns, BinnedReturns& result);
+  void findCrowdedChunks(const BinnedReturns& result);
 
   VoxelRuns runs_;
   CrowdedVoxels crowded_;
+  /// Runs of the chunks so far, permanent and owned, after each chunk of returns.
+  std::vector<std::array<std::size_t, 2>> chunkEnds_;
+  /// Chunks that hold returns of voxels that may be crowded.
+  std::vector<std::size_t> crowdedChunks_;
   /// Runs of the scan before: permanent, owned.
   std::array<std::size_t, 2> sizes_{};
 };
