@@ -16,8 +16,8 @@
 #include <toss/render/Snapshots.h>
 
 #include <chrono>
+#include <deque>
 #include <iostream>
-#include <memory>
 #include <optional>
 
 #include "LidarSetup.h"
@@ -95,7 +95,7 @@ class MapRunner {
   const InputReport& inputReport() const { return scans_.report(); }
 
  private:
-  using Item = std::shared_ptr<Passage>;
+  using Item = Passage*;
   static constexpr std::size_t kScansInFlight = 6;
 
   tbb::filter<Item, void> writing() {
@@ -103,7 +103,7 @@ class MapRunner {
     return tbb::make_filter<Item, Item>(inOrder, [&](Item item) { return readAgain(item); }) &
            tbb::make_filter<Item, Item>(tbb::filter_mode::parallel,
                                         [&](Item item) { return writeLabels(item); }) &
-           tbb::make_filter<Item, void>(inOrder, [&](const Item& item) {
+           tbb::make_filter<Item, void>(inOrder, [&](Item item) {
              write(*item);
              spares_.push(item);
            });
@@ -118,7 +118,7 @@ class MapRunner {
   }
 
   Item settleNext(tbb::flow_control& flow) {
-    const Item item = spareOrNew();
+    Item item = spareOrNew();
     item->ofScan = false;
     item->settled.resize(1);
     timed([&] {
@@ -138,23 +138,23 @@ class MapRunner {
 
   /// Memory fresh from the system costs more than what is written into it.
   Item spareOrNew() {
-    Item item;
-    return spares_.try_pop(item) ? item : std::make_shared<Passage>();
+    Item item = nullptr;
+    return spares_.try_pop(item) ? item : &passages_.emplace_back();
   }
 
   Item read(tbb::flow_control& flow) {
-    const Item item = spareOrNew();
+    Item item = spareOrNew();
     if (!scans_.next(item->scan)) flow.stop();
     item->progress = scans_.progress();
     return item;
   }
 
-  Item segment(const Item& item) {
+  Item segment(Item item) {
     pipeline_.segment(item->scan, item->first);
     return item;
   }
 
-  Item process(const Item& item) {
+  Item process(Item item) {
     const ScanLabels& live = pipeline_.process(item->scan, item->first);
     if (request_.liveLabels) item->live = live;
     if (request_.instances) item->segmentation = pipeline_.segmentedScan().segmentation;
@@ -165,7 +165,7 @@ class MapRunner {
 
   /// Settled scans are read once more: keeping all scans until their labels are final would need
   /// memory that grows with the voting horizon.
-  Item readAgain(const Item& item) {
+  Item readAgain(Item item) {
     for (SettledScan& settled : item->settled)
       if (!settledScans_.next(settled.scan) || settled.scan.index != settled.labels.scan)
         throw UserError(request_.input.string(), "the input changed while it was read",
@@ -173,7 +173,7 @@ class MapRunner {
     return item;
   }
 
-  Item writeLabels(const Item& item) const {
+  Item writeLabels(Item item) const {
     if (item->ofScan && request_.liveLabels) outputs_.writeLive(item->live);
     if (item->ofScan && request_.instances)
       outputs_.writeInstances(item->scan.index, item->segmentation);
@@ -197,6 +197,8 @@ class MapRunner {
   Progress progress_;
   std::uint64_t written_ = 0;
   double rest_ = 0.0;
+  /// All items. Those that are under way when a stage throws are dropped by TBB, not destroyed.
+  std::deque<Passage> passages_;
   /// Items that have gone all the way.
   tbb::concurrent_queue<Item> spares_;
 };
