@@ -25,16 +25,25 @@ struct RunEnds {
   }
 };
 
-/// Marks where runs of one instance end: between return i - 1 of a row and return i, if either is
-/// in an instance. The compiler vectorises this only as a function of arrays that are known not to
-/// overlap.
+/// The instance at each pixel of a row, -1 where there is no return.
 TOSS_ALSO_FOR_AVX2
-void findEnds(const std::int32_t* __restrict instance, const std::int32_t* __restrict column,
-              std::size_t n, std::uint8_t* __restrict ends) {
-  for (std::size_t i = 1; i < n; ++i) {
-    const bool differ = (instance[i] != instance[i - 1]) | (column[i] - column[i - 1] > kGap + 1);
-    const bool any = (instance[i] | instance[i - 1]) != 0;
-    ends[i] = static_cast<std::uint8_t>(differ & any);
+void findInstances(const std::int32_t* __restrict point, const std::int32_t* __restrict instances,
+                   std::size_t n, std::int32_t* __restrict instance) {
+  for (std::size_t c = 0; c < n; ++c) {
+    const std::int32_t at = instances[std::max(point[c], 0)];
+    instance[c] = point[c] == RangeImage::kNone ? -1 : at;
+  }
+}
+
+/// Marks the pixels of instances whose neighbour on either side is of another or holds no return;
+/// `instance` has one pixel more at either end. The compiler vectorises this only as a function of
+/// arrays that are known not to overlap.
+TOSS_ALSO_FOR_AVX2
+void findEnds(const std::int32_t* __restrict instance, std::size_t n,
+              std::uint8_t* __restrict ends) {
+  for (std::size_t c = 1; c <= n; ++c) {
+    const bool differ = (instance[c] != instance[c - 1]) | (instance[c] != instance[c + 1]);
+    ends[c - 1] = static_cast<std::uint8_t>(differ & (instance[c] > 0));
   }
 }
 
@@ -43,62 +52,56 @@ class OcclusionCount {
   OcclusionCount(const RangeImage& image, const Segmentation& segmentation)
       : image_(image),
         segmentation_(segmentation),
+        columns_(static_cast<std::size_t>(image.columns)),
         left_(static_cast<std::size_t>(segmentation.instanceCount) + 1),
-        right_(left_.size()) {
-    const std::size_t most = static_cast<std::size_t>(image.columns) + 2;
-    point_.resize(most), column_.resize(most), instance_.resize(most);
-    ends_.resize(roundedToBlocks(most));
-  }
+        right_(left_.size()),
+        instance_(columns_ + 2),
+        ends_(roundedToBlocks(columns_)) {}
 
   void countRow(int row) {
-    const std::size_t n = takeRow(row);
-    if (n < 2) return;
-    std::fill(ends_.begin(), ends_.end(), std::uint8_t{0});
-    findEnds(instance_.data(), column_.data(), n, ends_.data());
-    visitMarks(ends_.data(), ends_.size(), [&](std::size_t i) { countEnd(i); });
+    points_ = image_.representative.data() + image_.pixel(row, 0);
+    findInstances(points_, segmentation_.instance.data(), columns_, instance_.data() + 1);
+    // The row closes at the rear.
+    instance_.front() = instance_[columns_], instance_.back() = instance_[1];
+    findEnds(instance_.data(), columns_, ends_.data());
+    visitMarks(ends_.data(), ends_.size(), [&](std::size_t column) { countEnds(column); });
   }
 
   RunEnds left(std::size_t instance) const { return left_[instance]; }
   RunEnds right(std::size_t instance) const { return right_[instance]; }
 
  private:
-  /// Columns grow clockwise: return i - 1 lies to the left of return i. What no one asks for is
-  /// counted for instance 0: choices would mostly be mispredicted.
-  void countEnd(std::size_t i) {
-    const bool adjacent = column_[i] - column_[i - 1] <= kGap + 1;
-    const float difference = rangeOf(point_[i]) - rangeOf(point_[i - 1]);
-    right_[at(instance_[i - 1])].count(adjacent & (-difference > kNearer));
-    left_[at(instance_[i])].count(adjacent & (difference > kNearer));
+  static std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
+  float rangeAt(std::size_t column) const { return image_.range[at(points_[column])]; }
+
+  /// Columns grow clockwise: the one before lies to the left.
+  void countEnds(std::size_t column) {
+    countEnd(column, columns_ - 1, left_);
+    countEnd(column, 1, right_);
   }
 
-  static std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
-  float rangeOf(std::int32_t point) const { return image_.range[at(point)]; }
-
-  /// Takes the returns of a row, after the last one in the place of the neighbour of the first
-  /// column: the row closes at the rear. In one pass without branches, as no one could foretell
-  /// which pixels are empty. Returns how many there are.
-  std::size_t takeRow(int row) {
-    const std::int32_t* const points = image_.representative.data() + image_.pixel(row, 0);
-    const std::int32_t* const instances = segmentation_.instance.data();
-    std::int32_t *const point = point_.data(), *const where = column_.data();
-    std::int32_t* const instance = instance_.data();
-    const int columns = image_.columns;
-    std::size_t n = 1;
-    for (int column = 0; column < columns; ++column) {
-      const std::int32_t each = points[column];
-      point[n] = each, where[n] = column, instance[n] = instances[std::max(each, 0)];
-      n += each == RangeImage::kNone ? 0 : 1;
+  /// Counts the end at a pixel if its next return, some steps of `step` columns on, goes on with
+  /// another instance, or is too far for a neighbour.
+  void countEnd(std::size_t column, std::size_t step, std::vector<RunEnds>& ends) const {
+    const std::int32_t own = instance_[column + 1];
+    std::size_t next = column;
+    for (int gap = 0; gap <= kGap; ++gap) {
+      next = next + step < columns_ ? next + step : next + step - columns_;
+      const std::int32_t other = instance_[next + 1];
+      if (other == own) return;
+      if (other >= 0) return ends[at(own)].count(rangeAt(column) - rangeAt(next) > kNearer);
     }
-    if (n == 1) return 0;
-    point[0] = point[n - 1], where[0] = where[n - 1] - columns, instance[0] = instance[n - 1];
-    return n;
+    ends[at(own)].count(false);
   }
 
   const RangeImage& image_;
   const Segmentation& segmentation_;
+  std::size_t columns_;
   std::vector<RunEnds> left_, right_;
-  /// Of the returns of a row.
-  std::vector<std::int32_t> point_, column_, instance_;
+  /// Of the row at hand: its pixels' returns and instances, with one more at either end, and which
+  /// of them may be ends.
+  const std::int32_t* points_ = nullptr;
+  std::vector<std::int32_t> instance_;
   std::vector<std::uint8_t> ends_;
 };
 

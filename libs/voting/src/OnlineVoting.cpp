@@ -43,7 +43,7 @@ BoxId OnlineVoting::addScan(const std::vector<VotingBox>& boxes) {
     BoxRecord record;
     record.cell = grid_.insert(voter);
     if (canVoteDynamic(trace)) ++grid_.cell(record.cell).dynamicVoters;
-    traces_.addBox(trace, record.cell);
+    traces_.addBox(trace, record.cell, box.center);
     const BoxId id = records_.add(record);
     markDirty(id);
   }
@@ -152,16 +152,21 @@ void OnlineVoting::setTrackClass(TrackId track, MotionClass motion) {
   const bool couldVote = known != Voter::kNoTrace && canVoteDynamic(known);
   const TraceList::TraceIndex trace = traces_.setMotion(track, motion, time_);
   const int votersPerBox = (canVoteDynamic(trace) ? 1 : 0) - (couldVote ? 1 : 0);
-  std::vector<VoterGrid::CellIndex> cells;
   for (const TraceList::CellCount& count : traces_.cells(trace)) {
     grid_.cell(count.cell).dynamicVoters += votersPerBox * count.boxes;
-    cells.push_back(count.cell);
+    markAround(count);
   }
-  for (const VoterGrid::CellIndex cell : grid_.withNeighbors(cells)) {
-    for (const Voter& voter : grid_.cell(cell)) {
-      if (records_.isOpen(voter.id)) markDirty(voter.id);
+}
+
+/// Marks the boxes that those of a trace in a cell may vote on, themselves among them.
+void OnlineVoting::markAround(const TraceList::CellCount& count) {
+  grid_.visitAround(count.cell, [&](const VoterCell& cell) {
+    for (const Voter& voter : cell) {
+      const double reach = rules_.reach(voter);
+      const bool near = count.centers.squaredExteriorDistance(voter.center) <= reach * reach;
+      if (near && records_.isOpen(voter.id)) markDirty(voter.id);
     }
-  }
+  });
 }
 
 DsVoting::Votes OnlineVoting::votes(BoxId box) {

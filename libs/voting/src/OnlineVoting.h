@@ -41,6 +41,7 @@ class OnlineVoting {
   /// Whether the pending box goes on waiting after the vote of `voter` on it.
   bool voteStatic(const Voter& pending, const Voter& voter, MotionClass motion);
   void markDirty(BoxId box);
+  void markAround(const TraceList::CellCount& count);
   void judgeDirty();
   /// Counts the votes and sets the label.
   void judge(const Voter& voted);

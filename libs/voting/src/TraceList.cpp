@@ -35,15 +35,16 @@ TraceList::TraceIndex TraceList::indexOf(TrackId track) {
   return place->second;
 }
 
-void TraceList::addBox(TraceIndex trace, VoterGrid::CellIndex cell) {
+void TraceList::addBox(TraceIndex trace, VoterGrid::CellIndex cell, const Eigen::Vector3d& center) {
   if (trace == Voter::kNoTrace) return;
   std::vector<CellCount>& cells = traces_[trace].cells;
   const auto found = std::find_if(cells.rbegin(), cells.rend(),
                                   [cell](const CellCount& c) { return c.cell == cell; });
   if (found == cells.rend()) {
-    cells.push_back({cell, 1});
+    cells.push_back({cell, 1, Eigen::AlignedBox3d(center)});
   } else {
     ++found->boxes;
+    found->centers.extend(center);
   }
 }
 

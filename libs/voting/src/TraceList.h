@@ -4,6 +4,7 @@
 #include <toss/tracking/Track.h>
 #include <tsl/robin_map.h>
 
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "VoterGrid.h"
@@ -25,16 +26,19 @@ class TraceList {
 
   /// Trace of a box, made known as static where it is not; kNoTrace for track 0.
   TraceIndex indexOf(TrackId track);
-  void addBox(TraceIndex trace, VoterGrid::CellIndex cell);
+  /// `center`: of the box [m, map frame].
+  void addBox(TraceIndex trace, VoterGrid::CellIndex cell, const Eigen::Vector3d& center);
   /// Gives up the trace with its last box.
   void removeBox(TraceIndex trace, VoterGrid::CellIndex cell);
   /// Gives up traces that were named before `time` [s] and have no boxes.
   void forgetUnused(double time);
 
-  /// A cell and how many boxes of a trace it holds.
+  /// A cell and what it holds of a trace: how many boxes, and where the centres of these lie, and
+  /// of those that were there before [m, map frame].
   struct CellCount {
     VoterGrid::CellIndex cell;
     int boxes;
+    Eigen::AlignedBox3d centers;
   };
   /// Cells that hold boxes of the trace, each once.
   const std::vector<CellCount>& cells(TraceIndex trace) const { return traces_[trace].cells; }

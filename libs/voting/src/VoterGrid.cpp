@@ -64,20 +64,4 @@ const Voter& VoterGrid::find(CellIndex index, BoxId box) const {
                            [](const Voter& voter, BoxId id) { return voter.id < id; });
 }
 
-std::vector<VoterGrid::CellIndex> VoterGrid::withNeighbors(
-    const std::vector<CellIndex>& cells) const {
-  std::vector<CellIndex> result;
-  for (const CellIndex index : cells) {
-    for (std::int64_t c = -1; c <= 1; ++c) {
-      for (std::int64_t r = -1; r <= 1; ++r) {
-        const auto found = indexOf_.find(key(cells_[index].column + c, cells_[index].row + r));
-        if (found != indexOf_.end()) result.push_back(found->second);
-      }
-    }
-  }
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
-}
-
 }  // namespace toss

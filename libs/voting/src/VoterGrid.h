@@ -55,8 +55,17 @@ class VoterGrid {
     }
   }
 
-  /// The given cells and all that touch them, each once, ascending.
-  std::vector<CellIndex> withNeighbors(const std::vector<CellIndex>& cells) const;
+  /// Calls `visit(VoterCell&)` for the given cell and for all that touch it.
+  template <typename Visit>
+  void visitAround(CellIndex index, Visit&& visit) {
+    const std::int64_t column = cells_[index].column, row = cells_[index].row;
+    for (std::int64_t c = column - 1; c <= column + 1; ++c) {
+      for (std::int64_t r = row - 1; r <= row + 1; ++r) {
+        const auto found = indexOf_.find(key(c, r));
+        if (found != indexOf_.end()) visit(cells_[found->second]);
+      }
+    }
+  }
 
  private:
   static std::uint64_t key(std::int64_t column, std::int64_t row) {
