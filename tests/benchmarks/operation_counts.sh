@@ -41,15 +41,16 @@ count() {
     END { if (!found) printf "0" }' "$work/functions"
 }
 stages() {
-  local inside=Pipeline::Implementation segment ground objects track boxes
+  local inside=Pipeline::Implementation segment ground objects track boxes claims
   segment="$(count Segmenter::segment)" ground="$(count GroundSegmentation::segment)"
   objects="$(count ObjectSegmentation::segment)" track="$(count "$inside::track")"
-  boxes="$(count detectInstances)"
+  boxes="$(count detectInstances)" claims="$(count RecordBuilder::build)"
   echo "projection $(awk "BEGIN { print $segment - $ground - $objects }")"
   echo "ground $ground"
   echo "objects $objects"
   echo "boxes $boxes"
-  echo "tracking $(awk "BEGIN { print $track - $boxes }")"
+  echo "tracking $(awk "BEGIN { print $track - $boxes - $claims }")"
+  echo "claims $claims"
   echo "visibility $(count "$inside::askViews")"
   echo "voting $(count "$inside::vote")"
   echo "labels $(count "$inside::labelLive")"

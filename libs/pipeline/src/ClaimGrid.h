@@ -31,6 +31,10 @@ class ClaimGrid {
   }
 
   static std::int32_t squareOf(float x, float y) { return along(x) * kSquares + along(y); }
+  /// The squares of `n` returns: the compiler vectorises this only as a function of arrays that are
+  /// known not to overlap.
+  static void findSquares(const float* __restrict x, const float* __restrict y, std::size_t n,
+                          std::int32_t* __restrict square);
   static std::size_t cellOfSquare(std::int32_t square) {
     const auto number = static_cast<std::uint32_t>(square);
     const std::uint32_t row = number / kSquares, column = number % kSquares;

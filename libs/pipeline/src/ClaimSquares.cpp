@@ -30,12 +30,6 @@ Mark cutterOf(std::int32_t instance) {
 
 // The compiler vectorises these only as functions of arrays that are known not to overlap.
 
-TOSS_ALSO_FOR_AVX2
-void findSquares(const float* __restrict x, const float* __restrict y, std::size_t n,
-                 std::int32_t* __restrict square) {
-  for (std::size_t i = 0; i < n; ++i) square[i] = ClaimGrid::squareOf(x[i], y[i]);
-}
-
 /// What would have to be marked for a box to claim a return that is in no instance: kOutright or
 /// kResidue, which are the bits of a ClaimWay; 0 for returns that are in one, and for those that no
 /// box may claim.
@@ -109,7 +103,8 @@ void ClaimSquares::findInBlock(const LevelPoints& points, const Segmentation& se
                                float lowGround, std::size_t begin, std::size_t size,
                                ClaimReturns& found) const {
   Block block;
-  findSquares(points.x.data() + begin, points.y.data() + begin, size, block.square.data());
+  ClaimGrid::findSquares(points.x.data() + begin, points.y.data() + begin, size,
+                         block.square.data());
   findAsked(segmentation.pointClass.data() + begin, segmentation.heightAboveGround.data() + begin,
             lowGround, size, block.asked.data());
   const std::int32_t* const instance = segmentation.instance.data() + begin;

@@ -23,6 +23,7 @@ Pipeline::Implementation::Implementation(const PipelineOptions& o, const SensorM
       voting(o.voting),
       traces(o.decision, o.visibility.enabled),
       judge(options.decision, voting, traces),
+      hindsightClaims(o.decision, o.mapping, traces),
       builder(o.decision, o.mapping),
       shared(std::move(sharedMap)) {
   for (const Options* section : options.sections()) section->check();
@@ -48,9 +49,10 @@ void Pipeline::Implementation::track(const PosedScan& scan) {
   measureOcclusion(segmented.image, segmented.segmentation, detections);
   clock.lap("boxes");
   tracker.update(scan.time, detections);
-  records.push_back(builder.build(scan, segmented, detections, tracker));
   for (const Track& each : tracker.tracks()) traces.setMotion(each.id, each.motion);
   clock.lap("tracking");
+  records.push_back(builder.build(scan, segmented, detections, tracker));
+  clock.lap("claims");
 }
 
 void Pipeline::Implementation::askViews(const PosedScan& scan) {
@@ -140,9 +142,11 @@ StaticMap& Pipeline::Implementation::mapFrom(const ScanRecord& record) {
 
 void Pipeline::Implementation::commitComplete() {
   const auto commitNext = [&] {
-    ScanRecord& record = records[committed++];
+    ScanRecord& record = records[committed];
     StaticMap& map = mapFrom(record);
-    commitScan(options.mapping, judge.final(record, false), record, shared->nextLedger, map);
+    std::vector<bool> moving = judge.final(record, false);
+    hindsightClaims.add(records, committed++, false, moving);
+    commitScan(options.mapping, moving, record, shared->nextLedger, map);
     builder.reuseReturns(record);
     map.leaveBehind(record.sensorPosition);
   };
@@ -223,6 +227,7 @@ void Pipeline::Implementation::commitDecided() {
   map.addDecided(records.size() - committed, [&](std::size_t i) {
     ScanRecord& record = records[committed + i];
     record.moving = judge.final(record, true);
+    hindsightClaims.add(records, committed + i, true, record.moving);
     return decidedScan(options.mapping, record.moving, map, record);
   });
   for (; committed < records.size(); ++committed) builder.reuseReturns(records[committed]);

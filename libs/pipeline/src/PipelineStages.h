@@ -11,6 +11,7 @@
 #include <memory>
 #include <vector>
 
+#include "HindsightClaims.h"
 #include "Judge.h"
 #include "RecordBuilder.h"
 #include "SharedMap.h"
@@ -73,6 +74,7 @@ struct Pipeline::Implementation {
   DsVoting voting;
   TraceBook traces;
   Judge judge;
+  HindsightClaims hindsightClaims;
   RecordBuilder builder;
   std::shared_ptr<SharedMap> shared;
 

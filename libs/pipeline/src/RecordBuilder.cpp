@@ -78,11 +78,9 @@ void RecordBuilder::addOwners(const std::vector<Track>& tracks, const BoxClaims:
 inline std::int32_t RecordBuilder::ownerOf(const BoxClaims::Claim& claim,
                                            const std::vector<Track>& tracks, ScanRecord& record) {
   const auto [number, isNew] = claimingOwners_.ownerOf(claim);
-  if (isNew) {
-    Owner& owner = record.owners.emplace_back();
-    owner.track = tracks[static_cast<std::size_t>(claim.claimant)].id;
-    owner.host = claim.host, owner.residue = claim.residue;
-  }
+  if (isNew)
+    record.owners.push_back(Owner::ofClaim(tracks[static_cast<std::size_t>(claim.claimant)].id,
+                                           claim.host, claim.residue));
   return number;
 }
 
@@ -164,6 +162,8 @@ ScanRecord RecordBuilder::build(const PosedScan& scan, const SegmentedScan& segm
   for (const Track& track : tracker.tracks())
     record.tracks.push_back(
         {track.id, isDynamic(track.motion), track.updated(), track.box, track.velocity});
+  record.firstNewTrack = lastTrack_ + 1;
+  if (!record.tracks.empty()) lastTrack_ = std::max(lastTrack_, record.tracks.back().track);
   return record;
 }
 

@@ -53,6 +53,8 @@ class RecordBuilder {
   int fragmentPoints_;
   BoxClaims claims_;
   ClaimingOwners claimingOwners_;
+  /// The newest trace so far.
+  TrackId lastTrack_ = 0;
   /// Memory of scans that need it no more.
   std::vector<LevelPoints> spareLevels_;
   std::vector<std::vector<float>> spareIntensities_;

@@ -36,6 +36,13 @@ struct Owner {
   bool mapped = false;
   /// What views say about the instance; empty for claims.
   FreeSpaceSum evidence;
+
+  /// Of what a trace claims.
+  static Owner ofClaim(TrackId track, std::int32_t host, bool residue) {
+    Owner owner;
+    owner.track = track, owner.host = host, owner.residue = residue;
+    return owner;
+  }
 };
 
 /// One scan from the time it came in until its labels are final. Index-aligned with its points.
@@ -67,7 +74,9 @@ struct ScanRecord {
   std::vector<bool> moving;
   /// Ledger of owners[0] in the static map; the others follow.
   BoxId firstLedger = 0;
+  /// By ascending trace; those from `firstNewTrack` on were never seen before.
   std::vector<TrackSample> tracks;
+  TrackId firstNewTrack = 0;
   /// Whether all views have testified and the returns are in the static map. Until then the
   /// coordinates are kept.
   bool complete = false;

@@ -3,54 +3,66 @@
 
 namespace toss {
 
-TraceBook::Trace& TraceBook::at(TrackId track) {
-  while (first_ + traces_.size() <= track) traces_.push_back(unknown_);
-  return traces_[static_cast<std::size_t>(track - first_)];
+std::size_t TraceBook::placeOf(TrackId track) {
+  while (first_ + verdicts_.size() <= track) {
+    evidence_.emplace_back();
+    verdicts_.push_back(unknown_);
+  }
+  return static_cast<std::size_t>(track - first_);
 }
 
-const TraceBook::Trace* TraceBook::find(TrackId track) const {
-  if (track < first_ || track >= first_ + traces_.size()) return nullptr;
-  return &traces_[static_cast<std::size_t>(track - first_)];
+const TraceBook::Verdict* TraceBook::find(TrackId track) const {
+  if (track < first_ || track >= first_ + verdicts_.size()) return nullptr;
+  return &verdicts_[static_cast<std::size_t>(track - first_)];
 }
 
 void TraceBook::setMotion(TrackId track, MotionClass motion) {
-  Trace& trace = at(track);
-  if (trace.motion == motion) return;
-  trace.motion = motion;
-  trace.live = fuseTrace(motion, trace.past, liveOptions_);
-  trace.final = fuseTrace(motion, trace.all, options_);
+  const std::size_t place = placeOf(track);
+  Verdict& verdict = verdicts_[place];
+  if (verdict.motion == motion) return;
+  verdict.motion = motion;
+  verdict.live = fuseTrace(motion, evidence_[place].past, liveOptions_);
+  verdict.final = fuseTrace(motion, evidence_[place].all, options_);
 }
 
 void TraceBook::addPast(TrackId track, const FreeSpaceSum& evidence) {
-  Trace& trace = at(track);
-  trace.past.add(evidence);
-  trace.live = fuseTrace(trace.motion, trace.past, liveOptions_);
+  const std::size_t place = placeOf(track);
+  FreeSpaceSum& past = evidence_[place].past;
+  past.add(evidence);
+  verdicts_[place].live = fuseTrace(verdicts_[place].motion, past, liveOptions_);
 }
 
 void TraceBook::addFinal(TrackId track, const FreeSpaceSum& evidence) {
-  Trace& trace = at(track);
-  trace.all.add(evidence);
-  ++trace.scansWithEvidence;
-  trace.final = fuseTrace(trace.motion, trace.all, options_);
+  const std::size_t place = placeOf(track);
+  FreeSpaceSum& all = evidence_[place].all;
+  all.add(evidence);
+  ++verdicts_[place].scansWithEvidence;
+  verdicts_[place].final = fuseTrace(verdicts_[place].motion, all, options_);
 }
 
 MotionClass TraceBook::liveClass(TrackId track) const {
-  const Trace* trace = find(track);
-  return trace == nullptr ? MotionClass::Static : trace->live;
+  const Verdict* verdict = find(track);
+  return verdict == nullptr ? MotionClass::Static : verdict->live;
 }
 
 MotionClass TraceBook::finalClass(TrackId track, bool last) const {
   constexpr int kScansForVerdict = 5;
-  const Trace* trace = find(track);
-  if (trace == nullptr) return MotionClass::Static;
-  if (awaitEvidence_ && !last && trace->scansWithEvidence < kScansForVerdict)
+  const Verdict* verdict = find(track);
+  if (verdict == nullptr) return MotionClass::Static;
+  if (awaitEvidence_ && !last && verdict->scansWithEvidence < kScansForVerdict)
     return MotionClass::Static;
-  return trace->final;
+  return verdict->final;
+}
+
+bool TraceBook::mayMove(TrackId track, bool last) const {
+  const Verdict* verdict = find(track);
+  const bool awaited = !last && verdict != nullptr && verdict->motion != MotionClass::Static;
+  return awaited || isDynamic(finalClass(track, last));
 }
 
 void TraceBook::forgetBelow(TrackId track) {
-  while (!traces_.empty() && first_ < track) {
-    traces_.pop_front();
+  while (!verdicts_.empty() && first_ < track) {
+    evidence_.pop_front(), verdicts_.pop_front();
     ++first_;
   }
 }

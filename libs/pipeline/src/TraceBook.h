@@ -15,8 +15,8 @@ class TraceBook {
   TraceBook(const DecisionOptions& options, bool awaitEvidence)
       : options_(options), liveOptions_(options), awaitEvidence_(awaitEvidence) {
     liveOptions_.traceFreeShare = options.liveFreeShare;
-    unknown_.live = fuseTrace(unknown_.motion, unknown_.past, liveOptions_);
-    unknown_.final = fuseTrace(unknown_.motion, unknown_.all, options_);
+    unknown_.live = fuseTrace(unknown_.motion, {}, liveOptions_);
+    unknown_.final = fuseTrace(unknown_.motion, {}, options_);
   }
 
   /// Takes over the coarse class that tracking has come to.
@@ -30,27 +30,35 @@ class TraceBook {
   /// Class for the final labels. A weak motion waits for its evidence unless `last` says that no
   /// more will come.
   MotionClass finalClass(TrackId track, bool last) const;
+  /// Whether the trace may turn out to be dynamic; `last`: as above.
+  bool mayMove(TrackId track, bool last) const;
 
   /// Forgets traces whose number is below `track`.
   void forgetBelow(TrackId track);
 
  private:
-  struct Trace {
-    MotionClass motion = MotionClass::Static;
+  struct Evidence {
     FreeSpaceSum past, all;
-    int scansWithEvidence = 0;
-    /// Fused from them: classes are asked for more often than they change.
-    MotionClass live = MotionClass::Static, final = MotionClass::Static;
   };
-  Trace& at(TrackId track);
-  const Trace* find(TrackId track) const;
+  /// The coarse class, and what is fused from it and the evidence: asked for more often than it
+  /// changes.
+  struct Verdict {
+    MotionClass motion = MotionClass::Static;
+    MotionClass live = MotionClass::Static, final = MotionClass::Static;
+    int scansWithEvidence = 0;
+  };
+  /// Place of a trace, made where there is none yet.
+  std::size_t placeOf(TrackId track);
+  const Verdict* find(TrackId track) const;
 
   DecisionOptions options_, liveOptions_;
   bool awaitEvidence_;
-  /// A trace of which nothing has been told.
-  Trace unknown_;
+  /// Of a trace of which nothing has been told.
+  Verdict unknown_;
+  /// The trace at place 0.
   TrackId first_ = 1;
-  std::deque<Trace> traces_;
+  std::deque<Evidence> evidence_;
+  std::deque<Verdict> verdicts_;
 };
 
 }  // namespace toss

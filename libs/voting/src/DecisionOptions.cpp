@@ -41,6 +41,11 @@ void DecisionOptions::visit(OptionVisitor& v) {
   v.integer({"fragment_points", "",
              "An instance of fewer returns in the box of a moving trace moves with it", "spec 10"},
             fragmentPoints, 0, 1000);
+  v.real({"hindsight_time", "s",
+          "Time before it was first seen in which a moving trace takes what lies on its way, 0 = "
+          "no claims in hindsight",
+          "spec 10.2"},
+         hindsightTime, 0.0, 5.0);
 }
 
 }  // namespace toss

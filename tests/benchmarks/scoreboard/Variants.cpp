@@ -64,6 +64,8 @@ std::vector<Variant> ablations() {
       without("no free space", "no other scan is asked", {"visibility.enabled=false"}),
       without("no residue", "what only movers were measured with stays",
               {"decision.residue_margin=0"}),
+      without("no hindsight", "boxes claim only what they do when the scan comes in",
+              {"decision.hindsight_time=0"}),
       without("no claims", "boxes take nothing beyond their instance", {"decision.claims=false"}),
       without("constant links", "link distances do not grow with range",
               {"objects.metric=constant"}),

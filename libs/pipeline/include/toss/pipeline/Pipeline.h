@@ -79,7 +79,9 @@ class Pipeline {
   std::vector<MapPoint> pendingMap() const;
 
   /// Wall time of each stage in the last process() [ms], in order of the stages:
-  /// projection, ground, objects, boxes, tracking, visibility, voting, mapping.
+  /// projection, ground, objects, boxes, tracking (spec section 5, to the class of each trace),
+  /// claims (what predicted boxes take beyond their instances), visibility, voting, labels (live
+  /// ones), mapping, settling.
   const std::vector<std::pair<std::string, double>>& stageTimes() const;
 
   /// Parts of a pipeline.

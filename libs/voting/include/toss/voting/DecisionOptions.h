@@ -37,6 +37,10 @@ struct DecisionOptions : Options {
   /// An instance with fewer returns than this that lies in the box of a trace moves with it, unless
   /// it is clearly measured again.
   int fragmentPoints = 15;
+  /// When a scan enters the map, traces that are known to move by then claim, as residue, what
+  /// their boxes hold, and what lies on their way in the scans of this time [s] before they were
+  /// first seen; 0 = no such claims. Needs `claims`, a residue margin and voxels.
+  double hindsightTime = 1.5;
 
   const char* section() const override { return "decision"; }
   void visit(OptionVisitor& visitor) override;
