@@ -2,28 +2,47 @@
 #include "Interruption.h"
 
 #include <csignal>
+#include <ctime>
 
 namespace toss {
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+constexpr int kSignals[] = {SIGINT, SIGTERM};
 
-void note(int) {
-  interrupted = 1;
+/// Programs that stop others send the same signal to the process and to its group: copies [s].
+constexpr double kCopies = 0.5;
+
+volatile std::sig_atomic_t interrupted = 0;
+timespec interruptedAt = {};
+
+double secondsSinceInterruption() {
+  timespec now = {};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<double>(now.tv_sec - interruptedAt.tv_sec) +
+         1e-9 * static_cast<double>(now.tv_nsec - interruptedAt.tv_nsec);
 }
 
-constexpr int kSignals[] = {SIGINT, SIGTERM};
+void note(int number) {
+  if (interrupted == 0) {
+    clock_gettime(CLOCK_MONOTONIC, &interruptedAt);
+    interrupted = 1;
+  } else if (secondsSinceInterruption() > kCopies) {
+    std::signal(number, SIG_DFL);
+    std::raise(number);
+  }
+}
 
 }  // namespace
 
 InterruptionGuard::InterruptionGuard() {
   struct sigaction action = {};
   action.sa_handler = note;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  for (const int number : kSignals) sigaddset(&action.sa_mask, number);
   for (const int number : kSignals) sigaction(number, &action, nullptr);
 }
 
 InterruptionGuard::~InterruptionGuard() {
+  if (interrupted != 0) return;
   for (const int number : kSignals) std::signal(number, SIG_DFL);
 }
 

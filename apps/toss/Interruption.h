@@ -11,7 +11,8 @@ struct Interrupted : std::exception {
 };
 
 /// While one lives, the first SIGINT or SIGTERM does not end the program, so that unfinished
-/// outputs are cleared away; a second one does.
+/// outputs are cleared away; one that comes more than half a second later does. Those in between
+/// are copies of the first: programs that stop others (timeout, supervisors) send it twice.
 class InterruptionGuard {
  public:
   InterruptionGuard();
