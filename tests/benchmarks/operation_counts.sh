@@ -41,21 +41,22 @@ count() {
     END { if (!found) printf "0" }' "$work/functions"
 }
 stages() {
-  local inside=Pipeline::Implementation segment ground objects track boxes claims
+  local inside=Pipeline::Implementation segment ground objects track boxes record claims decided
   segment="$(count Segmenter::segment)" ground="$(count GroundSegmentation::segment)"
   objects="$(count ObjectSegmentation::segment)" track="$(count "$inside::track")"
-  boxes="$(count detectInstances)" claims="$(count RecordBuilder::build)"
+  boxes="$(count detectInstances)" record="$(count RecordBuilder::build)"
+  claims="$(count HindsightClaims::add)" decided="$(count "$inside::decideAll")"
   echo "projection $(awk "BEGIN { print $segment - $ground - $objects }")"
   echo "ground $ground"
   echo "objects $objects"
   echo "boxes $boxes"
-  echo "tracking $(awk "BEGIN { print $track - $boxes - $claims }")"
-  echo "claims $claims"
+  echo "tracking $(awk "BEGIN { print $track - $boxes - $record }")"
+  echo "claims $(awk "BEGIN { print $record + $claims }")"
   echo "visibility $(count "$inside::askViews")"
   echo "voting $(count "$inside::vote")"
   echo "labels $(count "$inside::labelLive")"
   # No scan of so short a log is complete before it ends.
-  echo "mapping $(count "$inside::decideAll")"
+  echo "mapping $(awk "BEGIN { print $decided - $claims }")"
   echo "settling $(count "$inside::settleFirst")"
 }
 

@@ -65,13 +65,13 @@ TEST(VoxelTiles, HoldWhatLiesInTheStoreToo) {
     if (number == 0) places.push_back(map->placesOf(returns.scan()).of(0));
     map->leaveBehind(returns.sensorPosition);
     if (number != 150) return;
-    for (const VoxelKey place : places) EXPECT_TRUE(map->holds(place));
+    for (const VoxelKey place : places) EXPECT_TRUE(map->holds(place, 0.2));
   });
   EXPECT_GT(shelf.loaded, 0u);
   std::mt19937 random(3);
   RandomReturns nowhere(random, 1, 4.0f);
   nowhere.sensorPosition = {5000.0, 0.0, 0.0};
-  EXPECT_FALSE(map->holds(map->placesOf(nowhere.scan()).of(0)));
+  EXPECT_FALSE(map->holds(map->placesOf(nowhere.scan()).of(0), 0.2));
 }
 
 TEST(VoxelTiles, LeavingBehindDoesNotShow) {

@@ -15,8 +15,13 @@ constexpr std::size_t kBirth = 4, kScans = 16;
 /// Owners of the returns.
 constexpr ScanRecord::OwnerIndex kNobody = 0, kStanding = 1, kMoving = 2;
 
+/// What the walker did when it was seen.
+enum class Seen { Standing, Moving, Walking, Missed };
+
 struct Case {
   double speed = 1.0;
+  Seen seen = Seen::Standing;
+  double voxelSize = 0.1;
   MotionClass motion = MotionClass::Strong;
   DecisionOptions options;
 };
@@ -65,6 +70,9 @@ std::deque<ScanRecord> recordsOf(const Case& given) {
       TrackSample sample;
       sample.track = kWalker;
       sample.box = walkerAt(s, given.speed);
+      sample.moving = given.seen == Seen::Moving;
+      sample.updated = given.seen != Seen::Missed;
+      if (given.seen == Seen::Walking || given.seen == Seen::Missed) sample.velocity.x() = 1.0;
       record.tracks.push_back(sample);
     }
     addReturns(record);
@@ -77,16 +85,18 @@ ScanRecord claimedOf(const Case& given, std::size_t scan, std::vector<bool>& mov
   std::deque<ScanRecord> records = recordsOf(given);
   TraceBook traces(given.options, false);
   traces.setMotion(kWalker, given.motion);
-  HindsightClaims claims(given.options, MappingOptions(), traces);
+  MappingOptions mapping;
+  mapping.voxelSize = given.voxelSize;
+  HindsightClaims claims(given.options, mapping, traces);
   moving = {false, false, true};
   claims.add(records, scan, true, moving);
   return records[scan];
 }
 
-/// By definition: no ground, nothing that moves anyway, and what lies in the box where the walker
-/// must have been, grown to its sides and top and a metre down.
-bool mustBeClaimed(const Case& given, std::size_t scan, std::size_t point,
-                   const ScanRecord& before) {
+/// By definition: no ground unless `ground`, nothing that moves anyway, and what lies in the box
+/// where the walker must have been, grown to its sides and top and a metre down.
+bool mustBeClaimed(const Case& given, std::size_t scan, std::size_t point, const ScanRecord& before,
+                   bool ground) {
   const Box box = walkerAt(scan, given.speed);
   const Eigen::Vector3d at =
       before.sensorPosition +
@@ -99,47 +109,54 @@ bool mustBeClaimed(const Case& given, std::size_t scan, std::size_t point,
   const bool inside = std::abs(along) <= 0.5 * box.length + margin &&
                       std::abs(across) <= 0.5 * box.width + margin &&
                       at.z() <= 0.5 * box.height + margin && at.z() >= -0.5 * box.height - 1.0;
-  return inside && before.owner[point] != kMoving && before.pointClass[point] != PointClass::Ground;
+  return inside && before.owner[point] != kMoving &&
+         (ground || before.pointClass[point] != PointClass::Ground);
+}
+
+void expectClaims(const Case& given, std::size_t scan, bool ground) {
+  const ScanRecord before = recordsOf(given)[scan];
+  std::vector<bool> moving;
+  const ScanRecord after = claimedOf(given, scan, moving);
+  std::vector<std::int32_t> expected;
+  for (std::size_t i = 0; i < before.owner.size(); ++i) {
+    const Owner& owner = after.owners[after.owner[i]];
+    if (!mustBeClaimed(given, scan, i, before, ground)) {
+      ASSERT_EQ(after.owner[i], before.owner[i]) << "scan " << scan << ", return " << i;
+      continue;
+    }
+    expected.push_back(static_cast<std::int32_t>(i));
+    ASSERT_EQ(owner.track, kWalker) << "scan " << scan << ", return " << i;
+    EXPECT_FALSE(owner.instance);
+    EXPECT_EQ(owner.host, before.owner[i] == kStanding ? kStanding : 0);
+    EXPECT_TRUE(moving[after.owner[i]]);
+  }
+  EXPECT_GT(expected.size(), 50u);
+  EXPECT_EQ(after.residue, expected);
+  EXPECT_EQ(moving.size(), after.owners.size());
 }
 
 TEST(HindsightClaims, TakeWhatLiesWhereTheTraceMustHaveBeen) {
-  const Case given;
   // Before it was seen, and when it was.
-  for (const std::size_t scan : {std::size_t{0}, std::size_t{2}, kBirth, kBirth + 3}) {
-    const ScanRecord before = recordsOf(given)[scan];
-    std::vector<bool> moving;
-    const ScanRecord after = claimedOf(given, scan, moving);
-    std::vector<std::int32_t> expected;
-    for (std::size_t i = 0; i < before.owner.size(); ++i) {
-      const Owner& owner = after.owners[after.owner[i]];
-      if (!mustBeClaimed(given, scan, i, before)) {
-        ASSERT_EQ(after.owner[i], before.owner[i]) << "scan " << scan << ", return " << i;
-        continue;
-      }
-      expected.push_back(static_cast<std::int32_t>(i));
-      ASSERT_EQ(owner.track, kWalker) << "scan " << scan << ", return " << i;
-      EXPECT_TRUE(owner.residue);
-      EXPECT_EQ(owner.host, before.owner[i] == kStanding ? kStanding : 0);
-      EXPECT_TRUE(moving[after.owner[i]]);
-    }
-    EXPECT_GT(expected.size(), 50u);
-    EXPECT_EQ(after.residue, expected);
-    EXPECT_EQ(moving.size(), after.owners.size());
-  }
+  for (const std::size_t scan : {std::size_t{0}, std::size_t{2}, kBirth, kBirth + 3})
+    expectClaims({}, scan, false);
 }
 
-TEST(HindsightClaims, KeepTheResidueThatWasThere) {
-  std::deque<ScanRecord> records = recordsOf(Case());
-  const auto last = static_cast<std::int32_t>(records[2].owner.size()) - 1;
-  records[2].residue = {0, last};
-  const DecisionOptions options;
-  TraceBook traces(options, false);
-  traces.setMotion(kWalker, MotionClass::Strong);
-  std::vector<bool> moving{false, false, true};
-  HindsightClaims(options, MappingOptions(), traces).add(records, 2, true, moving);
-  EXPECT_EQ(records[2].residue.front(), 0);
-  EXPECT_EQ(records[2].residue.back(), last);
-  EXPECT_TRUE(std::is_sorted(records[2].residue.begin(), records[2].residue.end()));
+TEST(HindsightClaims, TakeGroundOfWhatSeemedToMove) {
+  Case given;
+  for (const Seen seen : {Seen::Moving, Seen::Walking}) {
+    given.seen = seen;
+    expectClaims(given, kBirth + 1, true);
+    expectClaims(given, kBirth - 1, false);
+  }
+  given.seen = Seen::Missed;
+  expectClaims(given, kBirth + 1, false);
+}
+
+TEST(HindsightClaims, TakeNoGroundWithoutVoxels) {
+  Case given;
+  given.seen = Seen::Moving;
+  given.voxelSize = 0.0;
+  expectClaims(given, kBirth + 1, false);
 }
 
 TEST(HindsightClaims, AreNotMadeOfWhatStandsOrCameTooLate) {
@@ -155,7 +172,7 @@ TEST(HindsightClaims, AreNotMadeOfWhatStandsOrCameTooLate) {
   EXPECT_TRUE(claimedOf(late, kBirth - 3, moving).residue.empty());
   EXPECT_FALSE(claimedOf(late, kBirth - 2, moving).residue.empty());
   Case off;
-  off.options.hindsightTime = 0.0;
+  off.options.claims = false;
   EXPECT_TRUE(claimedOf(off, kBirth + 1, moving).residue.empty());
 }
 

@@ -86,7 +86,7 @@ PipelineOptions optionsWithVoxels(double size) {
 TEST(MultiLidar, GivesEachLidarTheLabelsThatItHasAlone) {
   const auto scans = scansOfBoth(15);
   PipelineOptions options;
-  options.decision.residueMargin = 0.0;
+  options.decision.residuePlace = 0.0;
   const BothRun both = runOfBoth(scans, options);
   const PipelineRun front = runOfOne(scans, kFront, "VLP-16", options);
   const PipelineRun rear = runOfOne(scans, kRear, "OS1-64", options);

@@ -8,18 +8,20 @@ namespace {
 
 constexpr TrackId kHostTrack = 3, kCutter = 7;
 
-/// One return each of: nobody, an instance, what a trace cuts out of it, residue beside it, residue
-/// on the ground.
+/// One return each of: nobody, an instance, what a trace claims out of it, and on the ground.
 ScanRecord recordOfAll() {
   ScanRecord record;
-  record.owners.resize(5);
+  record.owners.resize(2);
   record.owners[1].instance = true;
   record.owners[1].track = kHostTrack;
-  for (std::size_t o = 2; o < 5; ++o) record.owners[o].track = kCutter;
-  record.owners[2].host = record.owners[3].host = 1;
-  record.owners[3].residue = record.owners[4].residue = true;
-  record.owner = {0, 1, 2, 3, 4};
-  record.pointClass.assign(5, PointClass::Instance);
+  record.owners.push_back(Owner::ofClaim(kCutter, 1));
+  record.owners.push_back(Owner::ofClaim(kCutter, 0));
+  record.owner = {0, 1, 2, 3};
+  for (const TrackId track : {kHostTrack, kCutter}) {
+    record.tracks.emplace_back();
+    record.tracks.back().track = track;
+  }
+  record.pointClass.assign(4, PointClass::Instance);
   return record;
 }
 
@@ -37,29 +39,39 @@ std::vector<bool> movingOf(const ScanLabels& labels) {
 }
 
 TEST(ScanLabeling, NothingMovesWhereNeitherDoes) {
-  const ScanLabels labels = labelsOf(recordOfAll(), std::vector<bool>(5, false));
-  EXPECT_EQ(movingOf(labels), std::vector<bool>(5, false));
-  EXPECT_EQ(labels.track, (std::vector<std::uint32_t>{0, kHostTrack, kHostTrack, kHostTrack, 0}));
+  const ScanLabels labels = labelsOf(recordOfAll(), std::vector<bool>(4, false));
+  EXPECT_EQ(movingOf(labels), std::vector<bool>(4, false));
+  EXPECT_EQ(labels.track, (std::vector<std::uint32_t>{0, kHostTrack, kHostTrack, 0}));
 }
 
-TEST(ScanLabeling, WhatATraceCutsMovesWithItAndResidueWaits) {
-  const ScanLabels labels = labelsOf(recordOfAll(), {false, false, true, true, true});
-  EXPECT_EQ(movingOf(labels), (std::vector<bool>{false, false, true, false, false}));
-  EXPECT_EQ(labels.track, (std::vector<std::uint32_t>{0, kHostTrack, kCutter, kHostTrack, 0}));
+TEST(ScanLabeling, WhatATraceClaimsWaits) {
+  const ScanLabels labels = labelsOf(recordOfAll(), {false, false, true, true});
+  EXPECT_EQ(movingOf(labels), std::vector<bool>(4, false));
+  EXPECT_EQ(labels.track, (std::vector<std::uint32_t>{0, kHostTrack, kHostTrack, 0}));
 }
 
-TEST(ScanLabeling, WhatIsCutMovesWithItsInstanceToo) {
-  const ScanLabels labels = labelsOf(recordOfAll(), {false, true, true, true, false});
-  EXPECT_EQ(movingOf(labels), (std::vector<bool>{false, true, true, true, false}));
+TEST(ScanLabeling, WhatIsClaimedMovesWithItsInstance) {
+  const ScanLabels labels = labelsOf(recordOfAll(), {false, true, true, false});
+  EXPECT_EQ(movingOf(labels), (std::vector<bool>{false, true, true, false}));
 }
 
 TEST(ScanLabeling, ReleasedResidueMovesWithItsTrace) {
   ScanRecord record = recordOfAll();
-  record.loneMovers = {3, 4};
-  const ScanLabels labels = labelsOf(record, {false, false, true, true, true});
-  EXPECT_EQ(movingOf(labels), (std::vector<bool>{false, false, true, true, true}));
+  record.loneMovers = {2, 3};
+  const ScanLabels labels = labelsOf(record, {false, false, true, true});
+  EXPECT_EQ(movingOf(labels), (std::vector<bool>{false, false, true, true}));
+  EXPECT_EQ(labels.track[2], kCutter);
   EXPECT_EQ(labels.track[3], kCutter);
-  EXPECT_EQ(labels.track[4], kCutter);
+}
+
+TEST(ScanLabeling, ResidueOfATraceThatWasNotSeenYetCarriesNoNumber) {
+  ScanRecord record = recordOfAll();
+  record.tracks.pop_back();
+  record.loneMovers = {2, 3};
+  const ScanLabels labels = labelsOf(record, {false, false, true, true});
+  EXPECT_EQ(movingOf(labels), (std::vector<bool>{false, false, true, true}));
+  EXPECT_EQ(labels.track[2], 0u);
+  EXPECT_EQ(labels.track[3], 0u);
 }
 
 TEST(ScanRecord, ReturnsOfOwnersThatTwoBytesCanNotNameAreNobodys) {

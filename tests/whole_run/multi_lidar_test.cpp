@@ -54,7 +54,7 @@ TEST_F(MultiLidars, AreAllMappedAndTold) {
 
 /// But for residue, of which all LiDARs together say whether anything else was in its place.
 TEST_F(MultiLidars, HaveTheLabelsThatEachHasAlone) {
-  const std::string apart = "--set decision.residue_margin=0";
+  const std::string apart = "--set decision.residue_place=0";
   map("both", apart);
   const auto both = filesIn(in("both") / "labels");
   ASSERT_EQ(both.size(), kScans);

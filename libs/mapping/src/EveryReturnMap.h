@@ -17,7 +17,7 @@ class EveryReturnMap : public StaticMap {
               bool dynamic) override;
   void addToTrack(TrackId track, const ScanReturns& scan, IndexSpan indices) override;
   ScanPlaces placesOf(const ScanReturns& scan) const override { return {scan.level}; }
-  bool holds(VoxelKey) override { return true; }
+  bool holds(VoxelKey, double) override { return false; }
   void setDynamic(BoxId box, bool dynamic) override;
   void fold(BoxId box) override;
   void revokeTrack(TrackId track) override;

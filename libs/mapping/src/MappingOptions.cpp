@@ -26,11 +26,6 @@ void MappingOptions::visit(OptionVisitor& visitor) {
        "Time between a scan and the entry of its boxes; the final map does not depend on it",
        "spec 7.5"},
       insertionDelay, 0.0, 60.0);
-  visitor.real({"ground_residue_height", "m",
-                "Ground returns in a dynamic footprint higher than this go with the box; larger "
-                "leaves more of them",
-                "spec 10, measure 3"},
-               groundResidueHeight, 0.0, 1.0);
   visitor.real({"tile_size", "m",
                 "Least edge of the parts of the map that wait on disk while they are far away; 0 "
                 "keeps all in memory; the map is the same",

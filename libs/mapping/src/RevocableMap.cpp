@@ -81,11 +81,9 @@ void RevocableMap::leaveBehind(const Eigen::Vector3d& position) {
 
 RevocableMap::~RevocableMap() = default;
 
-bool RevocableMap::holds(VoxelKey voxel) {
-  constexpr double kPlace = 0.2;
+bool RevocableMap::holds(VoxelKey voxel, double size) {
   int bits = 0;
-  while (bits < kBlockBits && std::ldexp(implementation_->voxels.voxelSize(), bits) < kPlace)
-    ++bits;
+  while (bits < kBlockBits && std::ldexp(implementation_->voxels.voxelSize(), bits) < size) ++bits;
   return implementation_->voxels.holds(voxel, bits);
 }
 

@@ -22,7 +22,7 @@ class VoxelStaticMap : public StaticMap {
   ScanPlaces placesOf(const ScanReturns& scan) const override {
     return map_.voxels().placesOf(scan.level, scan.sensorPosition);
   }
-  bool holds(VoxelKey place) override { return map_.holds(place); }
+  bool holds(VoxelKey place, double size) override { return map_.holds(place, size); }
   void setDynamic(BoxId box, bool dynamic) override { map_.setDynamic(box, dynamic); }
   void fold(BoxId box) override { map_.fold(box); }
   void revokeTrack(TrackId track) override { map_.revokeTrack(track); }

@@ -19,13 +19,6 @@ struct ClaimFootprint {
   /// The rectangle along the axes around it, grown by `margin`.
   Eigen::AlignedBox2f extent(float margin) const;
 
-  /// An interval along y.
-  struct Span {
-    float low, high;
-  };
-  /// What it fills at most, grown by `margin`, between two places along x.
-  Span between(float firstX, float lastX, float margin) const;
-
   /// Whether it holds a point of the level frame when its sides and top are grown by `margin`.
   bool holds(const Eigen::Vector3f& point, float margin) const {
     const float dx = point.x() - x, dy = point.y() - y;

@@ -25,11 +25,6 @@ class ClaimGrid {
     const float square = std::max(0.0f, (coordinate + kHalf) * (1.0f / kSide));
     return static_cast<std::int32_t>(std::min(square, kLast));
   }
-  /// Where squares of that number begin along an axis [m]; the first one reaches beyond.
-  static float beginOf(std::int32_t number) {
-    return (static_cast<float>(number) - 0.5f * static_cast<float>(kSquares)) * kSide;
-  }
-
   static std::int32_t squareOf(float x, float y) { return along(x) * kSquares + along(y); }
   /// The squares of `n` returns: the compiler vectorises this only as a function of arrays that are
   /// known not to overlap.
@@ -41,7 +36,15 @@ class ClaimGrid {
     return row / 2 * kCells + column / 2;
   }
 
-  /// Calls `visit(cell)` for each cell that an area meets.
+  /// Calls `visit(square)`, and `visit(cell)`, for each one that an area meets.
+  template <typename Visit>
+  static void visitSquares(const Eigen::AlignedBox2f& area, Visit&& visit) {
+    if (area.isEmpty()) return;
+    const std::int32_t lastRow = along(area.max().x()), lastColumn = along(area.max().y());
+    for (std::int32_t row = along(area.min().x()); row <= lastRow; ++row)
+      for (std::int32_t column = along(area.min().y()); column <= lastColumn; ++column)
+        visit(static_cast<std::size_t>(row) * kSquares + static_cast<std::size_t>(column));
+  }
   template <typename Visit>
   static void visitCells(const Eigen::AlignedBox2f& area, Visit&& visit) {
     if (area.isEmpty()) return;

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HindsightClaims.h"
 
-#include <toss/geometry/MarkedWords.h>
-#include <toss/geometry/ProcessorVariants.h>
-
 #include <algorithm>
-#include <array>
-
-#include "ClaimGrid.h"
 
 namespace toss {
 namespace {
@@ -40,48 +34,51 @@ Eigen::Vector3d firstVelocity(const std::deque<ScanRecord>& records, std::size_t
   return Eigen::Vector3d::Zero();
 }
 
-/// Marks the returns above ground. The compiler vectorises this only as a function of arrays that
-/// are known not to overlap.
-TOSS_ALSO_FOR_AVX2
-void findObjects(const PointClass* __restrict pointClass, std::size_t n,
-                 std::uint8_t* __restrict object) {
-  for (std::size_t i = 0; i < n; ++i)
-    object[i] = static_cast<std::uint8_t>((pointClass[i] == PointClass::Unclustered) |
-                                          (pointClass[i] == PointClass::Instance));
+/// What seemed to move when the scan came in stood on the ground there. What came to move later, or
+/// was missed and is only predicted, may not have: the ground around it is that of others.
+bool seemedToMove(const TrackSample& sample) {
+  constexpr double kStanding = 0.2;
+  return sample.moving || (sample.updated && sample.velocity.head<2>().norm() > kStanding);
 }
 
 }  // namespace
 
 HindsightClaims::HindsightClaims(const DecisionOptions& options, const MappingOptions& mapping,
                                  const TraceBook& traces)
-    : claiming_(options.claims && options.hindsightTime > 0.0 && options.residueMargin > 0.0 &&
-                mapping.voxelSize > 0.0),
+    : claiming_(options.claims),
+      claimingGround_(mapping.voxelSize > 0.0),
       birthTime_(options.hindsightTime),
-      margin_(static_cast<float>(options.residueMargin)),
       traces_(traces),
-      boxes_({options.residueMargin, 0.0}, 0.0) {}
+      finder_(options.residueMargin) {}
 
 void HindsightClaims::add(Records& records, std::size_t index, bool last,
                           std::vector<bool>& moving) {
   if (!claiming_) return;
   findClaimants(records, index, last);
-  if (claimants_.empty()) return;
   ScanRecord& record = records[index];
-  claimReturns(moving, record);
+  owners_.start(claimants_.size(), record.owners.size());
+  for (const Claim& claim : finder_.find(claimants_, record, moving)) addClaim(claim, record);
   for (std::size_t o = moving.size(); o < record.owners.size(); ++o)
     moving.push_back(isDynamic(traces_.finalClass(record.owners[o].track, last)));
-  std::vector<std::int32_t> all;
-  all.reserve(record.residue.size() + claimed_.size());
-  std::set_union(record.residue.begin(), record.residue.end(), claimed_.begin(), claimed_.end(),
-                 std::back_inserter(all));
-  record.residue.swap(all);
+}
+
+void HindsightClaims::addClaim(const Claim& claim, ScanRecord& record) {
+  ScanRecord::OwnerIndex& owner = record.owner[static_cast<std::size_t>(claim.point)];
+  const std::int32_t host = owner;
+  const auto [number, isNew] = owners_.ownerOf(claim.claimant, host);
+  if (isNew)
+    record.owners.push_back(
+        Owner::ofClaim(claimants_[static_cast<std::size_t>(claim.claimant)].track, host));
+  owner = ScanRecord::ownerIndex(number);
+  record.residue.push_back(claim.point);
 }
 
 void HindsightClaims::findClaimants(const Records& records, std::size_t index, bool last) {
-  claimants_.clear(), trackOf_.clear();
+  claimants_.clear();
   const ScanRecord& scan = records[index];
   for (const TrackSample& sample : scan.tracks)
-    if (traces_.mayMove(sample.track, last)) addClaimant(sample.track, sample.box);
+    if (traces_.mayMove(sample.track, last))
+      claimants_.push_back({sample.track, sample.box, claimingGround_ && seemedToMove(sample)});
   for (std::size_t birth = index + 1; birth < records.size(); ++birth) {
     if (records[birth].time > scan.time + birthTime_ + kTimeTolerance) break;
     followBack(records, birth, scan.time, last);
@@ -98,69 +95,8 @@ void HindsightClaims::followBack(const Records& records, std::size_t birth, doub
     if (velocity.head<2>().norm() < kSlowest) continue;
     Box before = first->box;
     before.center -= (records[birth].time - time) * velocity;
-    addClaimant(first->track, before);
+    claimants_.push_back({first->track, before});
   }
-}
-
-void HindsightClaims::addClaimant(TrackId track, const Box& box) {
-  claimants_.push_back({box, BoxClaims::Claimant::Takes::Nothing});
-  trackOf_.push_back(track);
-}
-
-void HindsightClaims::claimReturns(const std::vector<bool>& moving, ScanRecord& record) {
-  boxes_.take(claimants_, record.sensorPosition);
-  markSquares(record.sensorPosition);
-  owners_.start(claimants_.size(), record.owners.size());
-  claimed_.clear();
-  visitNearby(record, [&](std::size_t i) {
-    if (moving[record.owner[i]]) return;
-    const LevelPoints& level = record.level;
-    const std::int32_t claimant = boxes_.boxAround({level.x[i], level.y[i], level.z[i]}, -1);
-    if (claimant >= 0) claim(i, claimant, record);
-  });
-}
-
-void HindsightClaims::markSquares(const Eigen::Vector3d& sensorPosition) {
-  marks_.assign(static_cast<std::size_t>(ClaimGrid::kSquares) * ClaimGrid::kSquares, 0);
-  for (const BoxClaims::Claimant& claimant : claimants_) {
-    const Eigen::AlignedBox2f area =
-        ClaimFootprint(claimant.box, sensorPosition, 0.0).extent(margin_ + ClaimGrid::kRounding);
-    const std::int32_t lastRow = ClaimGrid::along(area.max().x());
-    const std::int32_t begin = ClaimGrid::along(area.min().y());
-    const std::int32_t end = ClaimGrid::along(area.max().y()) + 1;
-    for (std::int32_t row = ClaimGrid::along(area.min().x()); row <= lastRow; ++row)
-      std::fill_n(marks_.begin() + row * ClaimGrid::kSquares + begin, end - begin, 1);
-  }
-}
-
-template <typename Visit>
-void HindsightClaims::visitNearby(const ScanRecord& record, Visit&& visit) const {
-  constexpr std::size_t kBlock = 4 * kMarksInBlock;
-  std::array<std::int32_t, kBlock> square;
-  std::array<std::uint8_t, kBlock> wanted{};
-  const std::size_t n = record.owner.size();
-  for (std::size_t begin = 0; begin < n; begin += kBlock) {
-    const std::size_t size = std::min(kBlock, n - begin);
-    findObjects(record.pointClass.data() + begin, size, wanted.data());
-    std::fill(wanted.begin() + size, wanted.end(), std::uint8_t{0});
-    // Many blocks hold nothing but ground.
-    if (std::find(wanted.begin(), wanted.end(), std::uint8_t{1}) == wanted.end()) continue;
-    ClaimGrid::findSquares(record.level.x.data() + begin, record.level.y.data() + begin, size,
-                           square.data());
-    for (std::size_t i = 0; i < size; ++i) wanted[i] &= marks_[static_cast<std::size_t>(square[i])];
-    visitMarks(wanted.data(), kBlock, [&](std::size_t i) { visit(begin + i); });
-  }
-}
-
-void HindsightClaims::claim(std::size_t point, std::int32_t claimant, ScanRecord& record) {
-  const Owner& before = record.owners[record.owner[point]];
-  const std::int32_t host = before.instance ? std::int32_t{record.owner[point]} : before.host;
-  claimed_.push_back(static_cast<std::int32_t>(point));
-  const auto [owner, isNew] = owners_.ownerOf({claimed_.back(), claimant, host, true});
-  if (isNew)
-    record.owners.push_back(
-        Owner::ofClaim(trackOf_[static_cast<std::size_t>(claimant)], host, true));
-  record.owner[point] = ScanRecord::ownerIndex(owner);
 }
 
 }  // namespace toss

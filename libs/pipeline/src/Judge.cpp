@@ -20,8 +20,7 @@ std::vector<bool> Judge::live(const ScanRecord& record,
   for (std::size_t o = 1; o < moving.size(); ++o) {
     const Owner& owner = record.owners[o];
     const MotionClass trace = traces_.liveClass(owner.track);
-    const bool voted = isDynamic(trace) || isDynamic(traces_.liveClass(owner.companion)) ||
-                       (owner.votes && voting_.isDynamic(owner.box));
+    const bool voted = isDynamic(trace) || (owner.votes && voting_.isDynamic(owner.box));
     const FreeSpaceSum own = o < evidence.size() ? evidence[o] : FreeSpaceSum();
     moving[o] = fuseInstance(voted, trace, own, options) || isHostMoving(owner, moving);
   }
@@ -33,8 +32,7 @@ std::vector<bool> Judge::final(const ScanRecord& record, bool last) const {
   for (std::size_t o = 1; o < moving.size(); ++o) {
     const Owner& owner = record.owners[o];
     const MotionClass trace = traces_.finalClass(owner.track, last);
-    const bool voted = isDynamic(traces_.finalClass(owner.companion, last)) ||
-                       (owner.votes ? voting_.isDynamic(owner.box) : isDynamic(trace));
+    const bool voted = owner.votes ? voting_.isDynamic(owner.box) : isDynamic(trace);
     moving[o] = fuseInstance(voted, trace, owner.evidence, options_) || isHostMoving(owner, moving);
   }
   return moving;

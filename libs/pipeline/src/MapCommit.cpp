@@ -88,8 +88,11 @@ StaticMap::DecidedScan decidedScan(const MappingOptions& options,
 }
 
 void previewScan(const MappingOptions& options, const std::vector<bool>& movingOwners,
-                 const ScanRecord& record, BoxId& nextLedger, StaticMap& map) {
-  map.addScan(returnsOf(record), ownersInMap(options, record), movingOwners, nextLedger);
+                 const std::vector<Claim>& claims, const ScanRecord& record, BoxId& nextLedger,
+                 StaticMap& map) {
+  std::vector<std::int32_t>& owners = ownersInMap(options, record);
+  for (const Claim& claim : claims) owners[static_cast<std::size_t>(claim.point)] = -1;
+  map.addScan(returnsOf(record), owners, movingOwners, nextLedger);
   nextLedger += record.owners.size();
 }
 
@@ -99,12 +102,16 @@ void updateLedgers(const ScanRecord& record, const std::vector<bool>& movingOwne
     if (record.owners[o].mapped) map.setDynamic(record.firstLedger + o, movingOwners[o]);
 }
 
-void releaseResidue(const std::vector<bool>& movingOwners, StaticMap& map, ScanRecord& record) {
+void releaseResidue(double placeSize, const std::vector<bool>& movingOwners, StaticMap& map,
+                    ScanRecord& record) {
+  const auto isHeld = [&](VoxelKey voxel) {
+    return placeSize > 0.0 && map.holds(voxel, placeSize);
+  };
   for (std::size_t r = 0; r < record.residue.size(); ++r) {
     const std::int32_t point = record.residue[r];
     const auto o = static_cast<std::size_t>(record.owner[static_cast<std::size_t>(point)]);
     const auto host = static_cast<std::size_t>(record.owners[o].host);
-    if (movingOwners[o] && !movingOwners[host] && !map.holds(record.residuePlace[r]))
+    if (movingOwners[o] && !movingOwners[host] && !isHeld(record.residuePlace[r]))
       record.loneMovers.push_back(point);
   }
   std::sort(record.loneMovers.begin(), record.loneMovers.end());

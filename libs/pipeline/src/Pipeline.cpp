@@ -105,11 +105,14 @@ Eigen::Vector3d Pipeline::mapOffset() const {
 std::vector<MapPoint> Pipeline::pendingMap() const {
   const Implementation& stages = *implementation_;
   std::unique_ptr<StaticMap> map;
+  LiveClaims claims(stages.options.decision, stages.traces);
   BoxId nextLedger = 0;
   for (std::size_t i = stages.committed; i < stages.records.size(); ++i) {
     const ScanRecord& record = stages.records[i];
     if (!map) map = makeStaticMap(stages.options.mapping, record.sensorPosition);
-    previewScan(stages.options.mapping, stages.judge.live(record, {}), record, nextLedger, *map);
+    const std::vector<bool> moving = stages.judge.live(record, {});
+    previewScan(stages.options.mapping, moving, claims.find(record, moving), record, nextLedger,
+                *map);
   }
   return map ? map->points() : std::vector<MapPoint>();
 }

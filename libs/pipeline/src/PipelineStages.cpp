@@ -24,7 +24,7 @@ Pipeline::Implementation::Implementation(const PipelineOptions& o, const SensorM
       traces(o.decision, o.visibility.enabled),
       judge(options.decision, voting, traces),
       hindsightClaims(o.decision, o.mapping, traces),
-      builder(o.decision, o.mapping),
+      liveClaims(o.decision, traces),
       shared(std::move(sharedMap)) {
   for (const Options* section : options.sections()) section->check();
   shared->pipelines.push_back(this);
@@ -88,10 +88,13 @@ void Pipeline::Implementation::vote(const PosedScan& scan) {
 }
 
 void Pipeline::Implementation::labelLive() {
-  if (liveLabels)
+  if (liveLabels) {
+    const ScanRecord& record = records.back();
+    const std::vector<bool> moving = judge.live(record, pastEvidence);
     labelScan(
-        records.back(), judge.live(records.back(), pastEvidence),
-        [&](TrackId id) { return isDynamic(traces.liveClass(id)); }, live);
+        record, moving, [&](TrackId id) { return isDynamic(traces.liveClass(id)); }, live);
+    liveClaims.add(record, moving, live);
+  }
   clock.lap("labels");
 }
 
@@ -145,7 +148,9 @@ void Pipeline::Implementation::commitComplete() {
     ScanRecord& record = records[committed];
     StaticMap& map = mapFrom(record);
     std::vector<bool> moving = judge.final(record, false);
+    clock.lap("mapping");
     hindsightClaims.add(records, committed++, false, moving);
+    clock.lap("claims");
     commitScan(options.mapping, moving, record, shared->nextLedger, map);
     builder.reuseReturns(record);
     map.leaveBehind(record.sensorPosition);
@@ -170,7 +175,7 @@ void Pipeline::Implementation::decideOwners(ScanRecord& record) {
 }
 
 void Pipeline::Implementation::decideResidue(ScanRecord& record) {
-  releaseResidue(record.moving, *shared->map, record);
+  releaseResidue(options.decision.residuePlace, record.moving, *shared->map, record);
   settleLedgers(record, *shared->map);
   ++decided;
 }

@@ -13,6 +13,7 @@
 
 #include "HindsightClaims.h"
 #include "Judge.h"
+#include "LiveClaims.h"
 #include "RecordBuilder.h"
 #include "SharedMap.h"
 #include "StageClock.h"
@@ -75,6 +76,7 @@ struct Pipeline::Implementation {
   TraceBook traces;
   Judge judge;
   HindsightClaims hindsightClaims;
+  LiveClaims liveClaims;
   RecordBuilder builder;
   std::shared_ptr<SharedMap> shared;
 

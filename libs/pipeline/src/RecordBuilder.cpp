@@ -17,16 +17,6 @@ std::vector<std::int32_t> tracesOf(const std::vector<Detection>& detections,
   return traces;
 }
 
-/// A trace that stands may turn out to move when more of it has been seen, as a parked car does
-/// that leaves; of what lies beside it then, only little is its residue.
-BoxClaims::Claimant::Takes takesOf(const Track& track) {
-  using Takes = BoxClaims::Claimant::Takes;
-  constexpr double kSlowest = 0.2;
-  if (isDynamic(track.motion)) return Takes::Residue;
-  if (!track.confirmed) return Takes::Nothing;
-  return track.speed() > kSlowest ? Takes::Residue : Takes::Cuts;
-}
-
 /// Memory fresh from the system costs more than what is written into it.
 template <typename T>
 void takeSpare(std::vector<T>& spares, T& target) {
@@ -56,73 +46,6 @@ void RecordBuilder::addOwnInstances(const std::vector<std::int32_t>& instance, S
   takeSpare(spareOwners_, record.owner);
   record.owner.resize(instance.size());
   std::transform(instance.begin(), instance.end(), record.owner.begin(), ScanRecord::ownerIndex);
-}
-
-/// Without choices by what a claim is, as no one could foretell it.
-void RecordBuilder::addOwners(const std::vector<Track>& tracks, const BoxClaims::Claims& claims,
-                              ScanRecord& record) {
-  claimingOwners_.start(tracks.size(), record.owners.size());
-  // One more than can be, as every place is written and kept where a claim is of residue.
-  record.residue.resize(claims.residueCount + 1);
-  std::size_t residueCount = 0;
-  for (const BoxClaims::Claim& claim : claims) {
-    record.owner[static_cast<std::size_t>(claim.point)] =
-        ScanRecord::ownerIndex(ownerOf(claim, tracks, record));
-    record.residue[residueCount] = claim.point;
-    residueCount += claim.residue;
-  }
-  record.residue.pop_back();
-}
-
-/// The owner that has such claims, a new one where there is none yet.
-inline std::int32_t RecordBuilder::ownerOf(const BoxClaims::Claim& claim,
-                                           const std::vector<Track>& tracks, ScanRecord& record) {
-  const auto [number, isNew] = claimingOwners_.ownerOf(claim);
-  if (isNew)
-    record.owners.push_back(Owner::ofClaim(tracks[static_cast<std::size_t>(claim.claimant)].id,
-                                           claim.host, claim.residue));
-  return number;
-}
-
-void RecordBuilder::addClaims(const SegmentedScan& segmented,
-                              const std::vector<Detection>& detections, const Tracker& tracker,
-                              ScanRecord& record) {
-  std::vector<bool> standing(record.owners.size(), true);
-  std::vector<BoxClaims::Claimant> claimants;
-  claimants.reserve(tracker.tracks().size());
-  for (const Track& track : tracker.tracks()) {
-    if (!track.updated()) {
-      claimants.push_back({track.box, takesOf(track)});
-      continue;
-    }
-    const Detection& detection = detections[static_cast<std::size_t>(track.detection)];
-    if (isDynamic(track.motion)) standing[static_cast<std::size_t>(detection.instance)] = false;
-    // What was seen tells the extent of this scan better than the smoothed estimate.
-    claimants.push_back({detection.box, takesOf(track), detection.instance});
-  }
-  claims_.take(claimants, record.sensorPosition);
-  addOwners(tracker.tracks(), claims_.find(segmented.level, segmented.segmentation, standing),
-            record);
-  findCompanions(detections, tracker, record);
-}
-
-void RecordBuilder::findCompanions(const std::vector<Detection>& detections, const Tracker& tracker,
-                                   ScanRecord& record) const {
-  const std::vector<Track>& tracks = tracker.tracks();
-  const std::vector<std::int32_t> traces = tracesOf(detections, tracker);
-  for (std::size_t d = 0; d < detections.size(); ++d) {
-    const Detection& detection = detections[d];
-    if (detection.pointCount >= fragmentPoints_) continue;
-    Owner& owner = record.owners[static_cast<std::size_t>(detection.instance)];
-    const Eigen::Vector3f center = (detection.box.center - record.sensorPosition).cast<float>();
-    const std::int32_t around = claims_.boxAround(center, traces[d]);
-    if (around < 0) continue;
-    const Track& companion = tracks[static_cast<std::size_t>(around)];
-    const bool larger =
-        !companion.updated() ||
-        detections[static_cast<std::size_t>(companion.detection)].pointCount > detection.pointCount;
-    if (larger) owner.companion = companion.id;
-  }
 }
 
 void RecordBuilder::takeLevel(LevelPoints& level, ScanRecord& record) {
@@ -157,7 +80,6 @@ ScanRecord RecordBuilder::build(const PosedScan& scan, const SegmentedScan& segm
   const std::size_t instances = static_cast<std::size_t>(segmented.segmentation.instanceCount) + 1;
   record.owners.resize(instances);
   addInstances(detections, tracker, record);
-  if (claiming_) addClaims(segmented, detections, tracker, record);
   record.tracks.reserve(tracker.tracks().size());
   for (const Track& track : tracker.tracks())
     record.tracks.push_back(

@@ -4,10 +4,7 @@
 #include <toss/geometry/PosedScan.h>
 #include <toss/segmentation/Segmenter.h>
 #include <toss/tracking/Tracker.h>
-#include <toss/voting/DecisionOptions.h>
 
-#include "BoxClaims.h"
-#include "ClaimingOwners.h"
 #include "ScanRecord.h"
 
 namespace toss {
@@ -15,14 +12,6 @@ namespace toss {
 /// Turns what segmentation and tracking found in a scan into its record.
 class RecordBuilder {
  public:
-  /// Without voxels no map tells whether anything else was measured in a place, so there is no
-  /// residue then.
-  RecordBuilder(const DecisionOptions& options, const MappingOptions& mapping)
-      : claiming_(options.claims),
-        fragmentPoints_(options.fragmentPoints),
-        claims_({options.claimMargin, mapping.voxelSize > 0.0 ? options.residueMargin : 0.0},
-                mapping.groundResidueHeight) {}
-
   /// All but the coordinates.
   ScanRecord build(const PosedScan& scan, const SegmentedScan& segmented,
                    const std::vector<Detection>& detections, const Tracker& tracker);
@@ -40,19 +29,6 @@ class RecordBuilder {
                     ScanRecord& record) const;
   /// Makes every return that of its instance.
   void addOwnInstances(const std::vector<std::int32_t>& instance, ScanRecord& record);
-  void addClaims(const SegmentedScan& segmented, const std::vector<Detection>& detections,
-                 const Tracker& tracker, ScanRecord& record);
-  void addOwners(const std::vector<Track>& tracks, const BoxClaims::Claims& claims,
-                 ScanRecord& record);
-  std::int32_t ownerOf(const BoxClaims::Claim& claim, const std::vector<Track>& tracks,
-                       ScanRecord& record);
-  void findCompanions(const std::vector<Detection>& detections, const Tracker& tracker,
-                      ScanRecord& record) const;
-
-  bool claiming_;
-  int fragmentPoints_;
-  BoxClaims claims_;
-  ClaimingOwners claimingOwners_;
   /// The newest trace so far.
   TrackId lastTrack_ = 0;
   /// Memory of scans that need it no more.

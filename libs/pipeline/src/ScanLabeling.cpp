@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ScanLabeling.h"
 
+#include <algorithm>
+
 namespace toss {
 namespace {
 
@@ -17,13 +19,20 @@ OwnerLabel ownerLabel(const Owner& owner, bool moving) {
           owned ? static_cast<std::uint32_t>(owner.track) : 0};
 }
 
-/// Who says what an owner's returns are: residue is what it would be without its trace, and what is
-/// cut out of an instance belongs to that unless the trace that cuts moves.
-std::size_t namingOwner(const ScanRecord& record, std::size_t o,
-                        const std::function<bool(TrackId)>& isMovingTrack) {
+/// The owner's trace, as far as the scan has a sample of it: those that are followed back to it
+/// have none.
+std::uint32_t trackInScan(const ScanRecord& record, const Owner& owner) {
+  const auto sample =
+      std::lower_bound(record.tracks.begin(), record.tracks.end(), owner.track,
+                       [](const TrackSample& each, TrackId track) { return each.track < track; });
+  const bool known = sample != record.tracks.end() && sample->track == owner.track;
+  return known ? static_cast<std::uint32_t>(owner.track) : 0;
+}
+
+/// Who says what an owner's returns are: what is claimed is what it would be without the claim.
+std::size_t namingOwner(const ScanRecord& record, std::size_t o) {
   const Owner& owner = record.owners[o];
-  const bool cut = owner.host != 0 && !isMovingTrack(owner.track);
-  return owner.residue || cut ? static_cast<std::size_t>(owner.host) : o;
+  return owner.instance ? o : static_cast<std::size_t>(owner.host);
 }
 
 }  // namespace
@@ -38,7 +47,7 @@ void labelScan(const ScanRecord& record, const std::vector<bool>& movingOwners,
   std::vector<OwnerLabel> labelOf;
   labelOf.reserve(record.owners.size());
   for (std::size_t o = 0; o < record.owners.size(); ++o) {
-    const std::size_t naming = namingOwner(record, o, isMovingTrack);
+    const std::size_t naming = namingOwner(record, o);
     labelOf.push_back(ownerLabel(record.owners[naming], movingOwners[naming]));
   }
   for (std::size_t i = 0; i < n; ++i) {
@@ -51,7 +60,7 @@ void labelScan(const ScanRecord& record, const std::vector<bool>& movingOwners,
     const auto i = static_cast<std::size_t>(point);
     const Owner& owner = record.owners[static_cast<std::size_t>(record.owner[i])];
     labels.state[i] = PointState::Moving;
-    labels.track[i] = ownerLabel(owner, true).track;
+    labels.track[i] = trackInScan(record, owner);
   }
   labels.tracks = record.tracks;
   for (TrackSample& sample : labels.tracks) sample.moving = isMovingTrack(sample.track);

@@ -18,8 +18,6 @@ namespace toss {
 struct Owner {
   /// Trace, 0 = none.
   TrackId track = 0;
-  /// For a small instance: the trace in whose box it lies, of which it may be a fragment, 0 = none.
-  TrackId companion = 0;
   /// Box that is voted on; meaningful where `votes`.
   BoxId box = 0;
   bool votes = false;
@@ -28,19 +26,17 @@ struct Owner {
   /// For returns that a trace claims out of a standing instance: that instance, with which they
   /// move as well, 0 = none.
   std::int32_t host = 0;
-  /// What may be left of the trace's object, as this scan alone can not tell it from what it stands
-  /// on or beside. While the trace is dynamic it is not in the map; it moves where nothing else
-  /// that is static was ever measured in its place.
-  bool residue = false;
   /// Whether the static map has taken returns of it: then they have a ledger there.
   bool mapped = false;
   /// What views say about the instance; empty for claims.
   FreeSpaceSum evidence;
 
-  /// Of what a trace claims.
-  static Owner ofClaim(TrackId track, std::int32_t host, bool residue) {
+  /// Of what a trace claims. It is residue: what may be left of the trace's object, as this scan
+  /// alone can not tell it from what it stands on or beside. While the trace is dynamic it is not
+  /// in the map; it moves where nothing that is static was ever measured in its place.
+  static Owner ofClaim(TrackId track, std::int32_t host) {
     Owner owner;
-    owner.track = track, owner.host = host, owner.residue = residue;
+    owner.track = track, owner.host = host;
     return owner;
   }
 };
@@ -61,7 +57,7 @@ struct ScanRecord {
   /// Shape [n].
   std::vector<PointClass> pointClass;
   std::vector<OwnerIndex> owner;
-  /// Returns that owners have as residue, ascending; and the place of each in the static map, from
+  /// Returns that traces have claimed, ascending; and the place of each in the static map, from
   /// the time on when the scan is in it.
   std::vector<std::int32_t> residue;
   std::vector<VoxelKey> residuePlace;

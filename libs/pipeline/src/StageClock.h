@@ -20,11 +20,18 @@ class StageClock {
   /// Books the time since the last call on `stage`.
   void lap(const char* stage) {
     const Clock::time_point now = Clock::now();
-    times_.emplace_back(stage, std::chrono::duration<double, std::milli>(now - last_).count());
+    book(stage, std::chrono::duration<double, std::milli>(now - last_).count());
     last_ = now;
   }
-  /// Books `milliseconds` that were measured elsewhere.
-  void book(const char* stage, double milliseconds) { times_.emplace_back(stage, milliseconds); }
+  /// Books `milliseconds` that were measured elsewhere; a stage may come in several parts.
+  void book(const char* stage, double milliseconds) {
+    for (auto& [name, time] : times_)
+      if (name == stage) {
+        time += milliseconds;
+        return;
+      }
+    times_.emplace_back(stage, milliseconds);
+  }
   const Times& times() const { return times_; }
 
  private:

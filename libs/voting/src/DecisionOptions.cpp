@@ -28,22 +28,20 @@ void DecisionOptions::visit(OptionVisitor& v) {
   v.integer(
       {"lone_free_views", "", "Free views that make a return without an instance move", "spec 12"},
       loneFreeViews, 1, 100);
-  v.flag({"claims", "", "Whether boxes of traces claim returns without an instance", "spec 10"},
-         claims);
-  v.real({"claim_margin", "m", "Margin by which a trace's box claims returns without an instance",
+  v.flag({"claims", "", "Whether boxes of moving traces claim returns beyond their instances",
           "spec 10"},
-         claimMargin, 0.0, 1.0);
+         claims);
   v.real(
       {"residue_margin", "m",
        "Returns in a moving trace's box grown by this move where nothing static was measured too",
        "spec 11.1"},
       residueMargin, 0.0, 1.0);
-  v.integer({"fragment_points", "",
-             "An instance of fewer returns in the box of a moving trace moves with it", "spec 10"},
-            fragmentPoints, 0, 1000);
+  v.real({"residue_place", "m",
+          "Size of the place in which nothing static may have been measured, 0 = they move anyway",
+          "measured on simulated scans"},
+         residuePlace, 0.0, 1.0);
   v.real({"hindsight_time", "s",
-          "Time before it was first seen in which a moving trace takes what lies on its way, 0 = "
-          "no claims in hindsight",
+          "Time before it was first seen in which a moving trace takes what lies on its way",
           "spec 10.2"},
          hindsightTime, 0.0, 5.0);
 }

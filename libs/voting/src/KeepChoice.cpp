@@ -12,7 +12,6 @@ void leanTowardsStatic(DecisionOptions& decision) {
   decision.vetoHitShare = 0.15;
   decision.vetoFreeShare = 0.1;
   decision.loneFreeViews = 8;
-  decision.claimMargin = 0.05;
   decision.residueMargin = 0.1;
 }
 
@@ -23,7 +22,6 @@ void leanTowardsRemoval(DecisionOptions& decision) {
   decision.doubtfulGlimpsedShare = 0.1;
   decision.vetoHitShare = 0.7;
   decision.loneFreeViews = 3;
-  decision.claimMargin = 0.25;
   decision.residueMargin = 0.3;
 }
 

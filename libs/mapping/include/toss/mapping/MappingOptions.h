@@ -24,9 +24,6 @@ struct MappingOptions : Options {
   /// Time between a scan and the entry of its boxes into the map [s]; revocation makes the final
   /// map independent of it.
   double insertionDelay = 0.5;
-  /// Ground returns inside the footprint of a dynamic box go with it where they are higher than
-  /// this over the local ground plane [m].
-  double groundResidueHeight = 0.02;
   /// Least edge of the cubes of the map that are put on disk while they are far from the robot [m],
   /// made larger to be 2^k times 16 voxels; 0 = the map stays in memory. Does not change the map.
   double tileSize = 100.0;

@@ -25,9 +25,8 @@ class RevocableMap {
   const VoxelMap& voxels() const;
 
   /// Whether returns that are static by present knowledge lie in the place of a voxel: the cube of
-  /// 2^k voxels a side around it that is nearest to 0.2 m from above, at most 4 voxels. Scans of
-  /// sparse sensors seldom measure smaller places twice.
-  bool holds(VoxelKey voxel);
+  /// 2^k voxels a side around it that is nearest to `size` [m] from above, at most 4 voxels.
+  bool holds(VoxelKey voxel, double size);
 
   /// Puts tiles of the voxels into the store that are far from `position` [m, map frame].
   void leaveBehind(const Eigen::Vector3d& position);

@@ -62,9 +62,9 @@ class StaticMap {
 
   /// Names of the places of a scan's returns, for holds().
   virtual ScanPlaces placesOf(const ScanReturns& scan) const = 0;
-  /// Whether any static return is in a place by present labels; places are about 0.2 m large. A map
-  /// without voxels holds all places.
-  virtual bool holds(VoxelKey place) = 0;
+  /// Whether any static return is in a place by present labels; places are as large as `size` [m]
+  /// or as a voxel, see RevocableMap. A map without voxels holds none.
+  virtual bool holds(VoxelKey place, double size) = 0;
 
   /// Label of a box that is neither folded nor settled; std::logic_error for other boxes.
   virtual void setDynamic(BoxId box, bool dynamic) = 0;

@@ -24,22 +24,17 @@ struct DecisionOptions : Options {
   int minCells = 2;
   /// Free views that make a return without an instance move on its own.
   int loneFreeViews = 4;
-  /// Whether boxes of traces claim returns that have no instance: feet and tyres in the ground
-  /// layer, sparse returns.
+  /// Whether boxes of moving traces claim returns beyond their instances: feet and tyres in the
+  /// ground layer, sparse returns, what has melted into a standing instance.
   bool claims = true;
-  /// Margin by which the box of a trace claims returns that have no instance, and cuts those of
-  /// standing instances [m].
-  double claimMargin = 0.15;
-  /// Margin by which the box of a moving trace holds residue: ground, and what stands close beside
-  /// it [m]. Residue moves where nothing that is static was ever measured in its place, see
-  /// StaticMap::holds(). 0 = there is no residue.
+  /// Margin to the sides and top by which they do [m]. What they claim is residue: it is in no map,
+  /// and its label is moving where nothing that is static was ever measured in its place.
   double residueMargin = 0.2;
-  /// An instance with fewer returns than this that lies in the box of a trace moves with it, unless
-  /// it is clearly measured again.
-  int fragmentPoints = 15;
-  /// When a scan enters the map, traces that are known to move by then claim, as residue, what
-  /// their boxes hold, and what lies on their way in the scans of this time [s] before they were
-  /// first seen; 0 = no such claims. Needs `claims`, a residue margin and voxels.
+  /// Size of such places [m]: that of the map's voxels, or the next larger of 2 or 4 of them.
+  /// 0 = residue moves whatever was measured there.
+  double residuePlace = 0.1;
+  /// Moving traces also claim what lies on their way in the scans of this time [s] before they were
+  /// first seen.
   double hindsightTime = 1.5;
 
   const char* section() const override { return "decision"; }
