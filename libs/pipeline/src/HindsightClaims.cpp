@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HindsightClaims.h"
 
-#include <algorithm>
-
 namespace toss {
 namespace {
 
@@ -12,13 +10,6 @@ constexpr double kPath = 1.0, kShortestPath = 0.4;
 constexpr double kSlowest = 0.1;
 constexpr double kTimeTolerance = 1e-3;
 
-using Samples = std::vector<TrackSample>;
-
-Samples::const_iterator firstFrom(const Samples& samples, TrackId track) {
-  return std::lower_bound(samples.begin(), samples.end(), track,
-                          [](const TrackSample& sample, TrackId id) { return sample.track < id; });
-}
-
 /// Mean velocity of a trace over the first stretch of its path that is long enough, zero where
 /// there is none.
 Eigen::Vector3d firstVelocity(const std::deque<ScanRecord>& records, std::size_t birth,
@@ -27,8 +18,7 @@ Eigen::Vector3d firstVelocity(const std::deque<ScanRecord>& records, std::size_t
   std::size_t end = birth;
   while (end + 1 < records.size() && records[end].time < start + kPath - kTimeTolerance) ++end;
   for (; records[end].time > start + kShortestPath - kTimeTolerance; --end) {
-    const auto sample = firstFrom(records[end].tracks, first.track);
-    if (sample != records[end].tracks.end() && sample->track == first.track)
+    if (const TrackSample* sample = records[end].sampleOf(first.track))
       return (sample->box.center - first.box.center) / (records[end].time - start);
   }
   return Eigen::Vector3d::Zero();
@@ -87,14 +77,14 @@ void HindsightClaims::findClaimants(const Records& records, std::size_t index, b
 
 void HindsightClaims::followBack(const Records& records, std::size_t birth, double time,
                                  bool last) {
-  const Samples& tracks = records[birth].tracks;
-  for (auto first = firstFrom(tracks, records[birth].firstNewTrack); first != tracks.end();
+  const ScanRecord& record = records[birth];
+  for (auto first = record.samplesFrom(record.firstNewTrack); first != record.tracks.end();
        ++first) {
     if (!traces_.mayMove(first->track, last)) continue;
     const Eigen::Vector3d velocity = firstVelocity(records, birth, *first);
     if (velocity.head<2>().norm() < kSlowest) continue;
     Box before = first->box;
-    before.center -= (records[birth].time - time) * velocity;
+    before.center -= (record.time - time) * velocity;
     claimants_.push_back({first->track, before});
   }
 }

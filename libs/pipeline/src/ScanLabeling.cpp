@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ScanLabeling.h"
 
-#include <algorithm>
-
 namespace toss {
 namespace {
 
@@ -22,11 +20,7 @@ OwnerLabel ownerLabel(const Owner& owner, bool moving) {
 /// The owner's trace, as far as the scan has a sample of it: those that are followed back to it
 /// have none.
 std::uint32_t trackInScan(const ScanRecord& record, const Owner& owner) {
-  const auto sample =
-      std::lower_bound(record.tracks.begin(), record.tracks.end(), owner.track,
-                       [](const TrackSample& each, TrackId track) { return each.track < track; });
-  const bool known = sample != record.tracks.end() && sample->track == owner.track;
-  return known ? static_cast<std::uint32_t>(owner.track) : 0;
+  return record.sampleOf(owner.track) ? static_cast<std::uint32_t>(owner.track) : 0;
 }
 
 /// Who says what an owner's returns are: what is claimed is what it would be without the claim.

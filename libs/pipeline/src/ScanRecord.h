@@ -7,6 +7,7 @@
 #include <toss/visibility/EvidenceCells.h>
 #include <toss/voting/DsVoting.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -78,6 +79,18 @@ struct ScanRecord {
   bool complete = false;
   LevelPoints level;
   std::vector<float> intensity;
+
+  /// The first sample of a trace that is not before `track`.
+  std::vector<TrackSample>::const_iterator samplesFrom(TrackId track) const {
+    return std::lower_bound(
+        tracks.begin(), tracks.end(), track,
+        [](const TrackSample& sample, TrackId before) { return sample.track < before; });
+  }
+  /// The sample of a trace, nullptr where the scan has none.
+  const TrackSample* sampleOf(TrackId track) const {
+    const auto sample = samplesFrom(track);
+    return sample != tracks.end() && sample->track == track ? &*sample : nullptr;
+  }
 
   /// `loneMovers` as marks, shape [n].
   std::vector<bool> loneMoverMarks() const {
