@@ -23,6 +23,8 @@ struct Case {
   Seen seen = Seen::Standing;
   double voxelSize = 0.1;
   MotionClass motion = MotionClass::Strong;
+  /// Scans that saw it so far, and cells of it that were looked at and seen through.
+  int sightings = 10, cells = 0, free = 0;
   DecisionOptions options;
 };
 
@@ -80,11 +82,20 @@ std::deque<ScanRecord> recordsOf(const Case& given) {
   return records;
 }
 
+TraceBook bookOf(const Case& given, bool awaitsEvidence) {
+  TraceBook traces(given.options, awaitsEvidence);
+  traces.setMotion(kWalker, given.motion);
+  for (int i = 0; i < given.sightings; ++i) traces.addSighting(kWalker);
+  FreeSpaceSum evidence;
+  evidence.cells = given.cells, evidence.free = given.free, evidence.hit = given.cells - given.free;
+  if (given.cells > 0) traces.addFinal(kWalker, evidence);
+  return traces;
+}
+
 /// Adds the claims on a scan; `moving` as they leave it.
 ScanRecord claimedOf(const Case& given, std::size_t scan, std::vector<bool>& moving) {
   std::deque<ScanRecord> records = recordsOf(given);
-  TraceBook traces(given.options, false);
-  traces.setMotion(kWalker, given.motion);
+  const TraceBook traces = bookOf(given, false);
   MappingOptions mapping;
   mapping.voxelSize = given.voxelSize;
   HindsightClaims claims(given.options, mapping, traces);
@@ -176,11 +187,29 @@ TEST(HindsightClaims, AreNotMadeOfWhatStandsOrCameTooLate) {
   EXPECT_TRUE(claimedOf(off, kBirth + 1, moving).residue.empty());
 }
 
+TEST(HindsightClaims, AreMadeByWhatIsWellKnown) {
+  const auto claims = [](int sightings, int cells, int free) {
+    Case given;
+    given.sightings = sightings, given.cells = cells, given.free = free;
+    std::vector<bool> moving;
+    const auto at = [&](std::size_t scan) { return claimedOf(given, scan, moving).residue.size(); };
+    EXPECT_EQ(at(kBirth - 1) > 0, at(kBirth + 1) > 0);
+    return at(kBirth + 1) > 0;
+  };
+  EXPECT_FALSE(claims(9, 0, 0));
+  EXPECT_TRUE(claims(10, 0, 0));
+  EXPECT_FALSE(claims(2, 10, 6));
+  EXPECT_TRUE(claims(2, 10, 7));
+  EXPECT_FALSE(claims(2, 1, 1)) << "one cell is no evidence";
+  EXPECT_TRUE(claims(10, 10, 4));
+}
+
 TEST(HindsightClaims, MoveOnlyWhenTheirTraceIsKnownTo) {
-  std::deque<ScanRecord> records = recordsOf(Case());
+  Case given;
+  given.motion = MotionClass::Doubtful;
+  std::deque<ScanRecord> records = recordsOf(given);
   const DecisionOptions options;
-  TraceBook traces(options, true);
-  traces.setMotion(kWalker, MotionClass::Doubtful);
+  const TraceBook traces = bookOf(given, true);
   std::vector<bool> moving{false, false, true};
   HindsightClaims(options, MappingOptions(), traces).add(records, 2, false, moving);
   EXPECT_FALSE(records[2].residue.empty());

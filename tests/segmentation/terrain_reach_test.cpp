@@ -12,10 +12,10 @@ using Scene = GroundTestScene;
 /// to which they are carried on [m].
 constexpr double kRings = 16.0, kFarRings = 30.0;
 
-GroundTestRun scanned(const Scene& scene, int reachRounds) {
+GroundTestRun scanned(const Scene& scene, int reachRounds, const std::string& model = "VLP-16") {
   GroundOptions options;
   options.reachRounds = reachRounds;
-  const SensorModel& sensor = sensorByName("VLP-16");
+  const SensorModel& sensor = sensorByName(model);
   return {scene.scan(sensor, sensorAt({0, 0, 1.8}), sensor.columns), sensor, options};
 }
 
@@ -49,6 +49,21 @@ TEST(TerrainReach, SingleRingsOnASlopeAreGroundAndPeopleInThemAreNot) {
     EXPECT_LT(inRings(run, Scene::Object).ground, 0.06) << "slope " << slope;
     EXPECT_LT(inRings(run, Scene::Ground).below, 1e-3) << "slope " << slope;
   }
+}
+
+TEST(TerrainReach, DenserRowsMeetSingleRingsFartherOut) {
+  Scene scene;
+  scene.addGround(0.0, 0.02, 0.01);
+  const auto share = [&](int reachRounds) {
+    return scanned(scene, reachRounds, "OS1-64")
+        .shares(Scene::Ground,
+                [](const Eigen::Vector3d& p, double) {
+                  return p.head<2>().norm() > 25.0 && p.head<2>().norm() < 40.0;
+                })
+        .ground;
+  };
+  EXPECT_GT(share(GroundOptions().reachRounds), 0.95);
+  EXPECT_LT(share(0), 0.7);
 }
 
 TEST(TerrainReach, NothingIsCarriedOnOverALowerTerrace) {

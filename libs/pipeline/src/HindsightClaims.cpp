@@ -67,7 +67,7 @@ void HindsightClaims::findClaimants(const Records& records, std::size_t index, b
   claimants_.clear();
   const ScanRecord& scan = records[index];
   for (const TrackSample& sample : scan.tracks)
-    if (traces_.mayMove(sample.track, last))
+    if (traces_.mayClaim(sample.track, last))
       claimants_.push_back({sample.track, sample.box, claimingGround_ && seemedToMove(sample)});
   for (std::size_t birth = index + 1; birth < records.size(); ++birth) {
     if (records[birth].time > scan.time + birthTime_ + kTimeTolerance) break;
@@ -80,7 +80,7 @@ void HindsightClaims::followBack(const Records& records, std::size_t birth, doub
   const ScanRecord& record = records[birth];
   for (auto first = record.samplesFrom(record.firstNewTrack); first != record.tracks.end();
        ++first) {
-    if (!traces_.mayMove(first->track, last)) continue;
+    if (!traces_.mayClaim(first->track, last)) continue;
     const Eigen::Vector3d velocity = firstVelocity(records, birth, *first);
     if (velocity.head<2>().norm() < kSlowest) continue;
     Box before = first->box;

@@ -49,7 +49,10 @@ void Pipeline::Implementation::track(const PosedScan& scan) {
   measureOcclusion(segmented.image, segmented.segmentation, detections);
   clock.lap("boxes");
   tracker.update(scan.time, detections);
-  for (const Track& each : tracker.tracks()) traces.setMotion(each.id, each.motion);
+  for (const Track& each : tracker.tracks()) {
+    traces.setMotion(each.id, each.motion);
+    if (each.updated()) traces.addSighting(each.id);
+  }
   clock.lap("tracking");
   records.push_back(builder.build(scan, segmented, detections, tracker));
   clock.lap("claims");

@@ -60,6 +60,13 @@ bool TraceBook::mayMove(TrackId track, bool last) const {
   return awaited || isDynamic(finalClass(track, last));
 }
 
+bool TraceBook::mayClaim(TrackId track, bool last) const {
+  const Verdict* verdict = find(track);
+  return verdict != nullptr && mayMove(track, last) &&
+         isWellKnown(verdict->sightings, evidence_[static_cast<std::size_t>(track - first_)].all,
+                     options_);
+}
+
 void TraceBook::forgetBelow(TrackId track) {
   while (!verdicts_.empty() && first_ < track) {
     evidence_.pop_front(), verdicts_.pop_front();

@@ -21,6 +21,8 @@ class TraceBook {
 
   /// Takes over the coarse class that tracking has come to.
   void setMotion(TrackId track, MotionClass motion);
+  /// Counts one more scan in which the trace was seen.
+  void addSighting(TrackId track) { ++verdicts_[placeOf(track)].sightings; }
   /// Adds what past views say of one more instance of the trace (live), and what all views say.
   void addPast(TrackId track, const FreeSpaceSum& evidence);
   void addFinal(TrackId track, const FreeSpaceSum& evidence);
@@ -32,6 +34,8 @@ class TraceBook {
   MotionClass finalClass(TrackId track, bool last) const;
   /// Whether the trace may turn out to be dynamic; `last`: as above.
   bool mayMove(TrackId track, bool last) const;
+  /// Whether it may, and is well known.
+  bool mayClaim(TrackId track, bool last) const;
 
   /// Forgets traces whose number is below `track`.
   void forgetBelow(TrackId track);
@@ -45,7 +49,7 @@ class TraceBook {
   struct Verdict {
     MotionClass motion = MotionClass::Static;
     MotionClass live = MotionClass::Static, final = MotionClass::Static;
-    int scansWithEvidence = 0;
+    int sightings = 0, scansWithEvidence = 0;
   };
   /// Place of a trace, made where there is none yet.
   std::size_t placeOf(TrackId track);

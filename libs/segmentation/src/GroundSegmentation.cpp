@@ -112,7 +112,7 @@ void GroundSegmentation::segment(const LevelPoints& points, const RangeImage& im
   if (stage.options.refine) {
     averageVertices(stage.field, stage.nodes, stage.heights);
     if (fits && TerrainReach::isNeeded(image, stage.options))
-      stage.reach.carryOn(stage.sorted, upright, stage.options, stage.heights);
+      stage.reach.carryOn(image, stage.sorted, upright, stage.options, stage.heights);
     replacePlanes(stage.field, stage.options, stage.heights, stage.nodes);
   }
   if (fits) {

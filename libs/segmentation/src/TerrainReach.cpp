@@ -20,17 +20,34 @@ constexpr float kLeastLength = 0.45f, kLeastHanging = 0.23f;
 /// Share of all on the surface, and under it for one on it.
 constexpr float kLeastOn = 0.6f, kMostUnder = 0.02f;
 
+/// Distance between rings [m] that leaves patches out. Where they are nearer to each other, as on
+/// stairs, what is no ground by itself is none.
+constexpr float kLeastGap = 3.0f;
+
+/// Angle between rows [rad]; there are several.
+double rowSpacing(const RangeImage& image) {
+  const double span = image.elevations.front() - image.elevations.back();
+  return span / (image.rows - 1);
+}
+
 /// Where the returns of a patch lie.
 struct Returns {
   std::size_t on = 0, under = 0, all = 0;
   Eigen::AlignedBox2f line;
+  /// Range of the farthest, squared [m^2].
+  float squaredRange = 0.0f;
 
-  void add(const NodePoint& point, float height) {
+  void add(const Eigen::Vector3f& point, float height) {
     ++all;
+    squaredRange = std::max(squaredRange, point.squaredNorm());
     under += height < -kNear;
     if (std::fabs(height) >= kNear) return;
     ++on;
-    line.extend(Eigen::Vector2f(point.x, point.y));
+    line.extend(point.head<2>());
+  }
+  /// `planeDistance`: of the sensor from the surface [m].
+  bool areSingleRings(double spacing, float planeDistance) const {
+    return static_cast<float>(spacing) * squaredRange >= kLeastGap * planeDistance;
   }
   /// `length`: least that their line has [m].
   bool areGround(float length) const {
@@ -44,9 +61,7 @@ struct Returns {
 
 bool TerrainReach::isNeeded(const RangeImage& image, const GroundOptions& options) {
   if (options.reachRounds == 0 || image.rows < 2) return false;
-  const double span = image.elevations.front() - image.elevations.back();
-  const double spacing = span / (image.rows - 1);
-  return spacing > options.reachSpacing * M_PI / 180.0;
+  return rowSpacing(image) > options.reachSpacing * M_PI / 180.0;
 }
 
 int TerrainReach::verticesWith(Knowledge least, int node) const {
@@ -65,10 +80,11 @@ bool TerrainReach::isGround(int node, const NodePoints& points, const GroundOpti
   const std::size_t stride = points.count / kMost + 1;
   for (std::size_t i = 0; i < points.count; i += stride) {
     const Eigen::Vector3f p(points[i].x, points[i].y, points[i].z);
-    returns.add(points[i], (plane.normal.dot(p) + plane.offset) / plane.normal.z());
+    returns.add(p, (plane.normal.dot(p) + plane.offset) / plane.normal.z());
   }
   const float length = verticesWith(Supported, node) < 2 ? kLeastLength : kLeastHanging;
-  return returns.areGround(length * field_.cellSize());
+  return returns.areSingleRings(rowSpacing_, std::fabs(plane.offset)) &&
+         returns.areGround(length * field_.cellSize());
 }
 
 void TerrainReach::carryOnce(const NodeSorting& sorted, const UprightNeighbours& upright,
@@ -87,8 +103,10 @@ void TerrainReach::carryOnce(const NodeSorting& sorted, const UprightNeighbours&
   fit_.solve(heights);
 }
 
-void TerrainReach::carryOn(const NodeSorting& sorted, const UprightNeighbours& upright,
-                           const GroundOptions& options, VertexHeights& heights) {
+void TerrainReach::carryOn(const RangeImage& image, const NodeSorting& sorted,
+                           const UprightNeighbours& upright, const GroundOptions& options,
+                           VertexHeights& heights) {
+  rowSpacing_ = rowSpacing(image);
   knowledge_.resize(heights.size());
   for (std::size_t v = 0; v < heights.size(); ++v)
     knowledge_[v] = std::isnan(heights[v]) ? Assumed : Given;

@@ -25,8 +25,8 @@ class TerrainReach {
   static bool isNeeded(const RangeImage& image, const GroundOptions& options);
 
   /// Gives heights to vertices that have none yet, at most a patch further in each round, and fits
-  /// all of them. `sorted`: returns of the scan.
-  void carryOn(const NodeSorting& sorted, const UprightNeighbours& upright,
+  /// all of them. `image`, `sorted`: returns of the scan.
+  void carryOn(const RangeImage& image, const NodeSorting& sorted, const UprightNeighbours& upright,
                const GroundOptions& options, VertexHeights& heights);
 
  private:
@@ -41,6 +41,8 @@ class TerrainReach {
 
   const TriGridField& field_;
   TerrainFit fit_;
+  /// Angle between rows of the scan [rad].
+  double rowSpacing_ = 0.0;
   /// What is known of each vertex, shape [vertices].
   std::vector<Knowledge> knowledge_;
 };

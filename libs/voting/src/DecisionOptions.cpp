@@ -31,6 +31,12 @@ void DecisionOptions::visit(OptionVisitor& v) {
   v.flag({"claims", "", "Whether boxes of moving traces claim returns beyond their instances",
           "spec 10"},
          claims);
+  v.integer({"claim_scans", "", "Scans that must have seen a trace for it to claim",
+             "measured on simulated scans"},
+            claimScans, 1, 1000);
+  v.real({"claim_free_share", "", "or the share of it that must be seen through",
+          "measured on simulated scans"},
+         claimFreeShare, 0.0, 1.0);
   v.real(
       {"residue_margin", "m",
        "Returns in a moving trace's box grown by this move where nothing static was measured too",

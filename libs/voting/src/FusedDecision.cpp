@@ -42,4 +42,8 @@ bool fuseInstance(bool voted, MotionClass trace, const FreeSpaceSum& evidence,
          (isDynamic(trace) || !isConfirmedStanding(evidence, options.confirmFreeShare, options));
 }
 
+bool isWellKnown(int scans, const FreeSpaceSum& evidence, const DecisionOptions& options) {
+  return scans >= options.claimScans || isSeenThrough(evidence, options.claimFreeShare, options);
+}
+
 }  // namespace toss

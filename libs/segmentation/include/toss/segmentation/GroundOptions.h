@@ -60,7 +60,7 @@ struct GroundOptions : Options {
   /// Rounds in which the terrain is carried on over ground that is met in single rings, a patch
   /// further in each; 0 = never. Spacing of the sensor's rows from which on this is done [deg].
   int reachRounds = 6;
-  double reachSpacing = 1.0;
+  double reachSpacing = 0.5;
   /// Squares of the terrain model along a side of a square of the field.
   int subdivision = 4;
   /// Length of a beam under the ground [m] from which its return is BelowGround; less is a ditch.
