@@ -18,8 +18,8 @@ MotionClass fuseTrace(MotionClass motion, const FreeSpaceSum& evidence,
 bool fuseInstance(bool voted, MotionClass trace, const FreeSpaceSum& evidence,
                   const DecisionOptions& options);
 
-/// Whether a trace that was seen in `scans` scans is known well enough to say where it is when it is
-/// not seen.
+/// Whether a trace that was seen in `scans` scans is known well enough to say where it is when it
+/// is not seen.
 bool isWellKnown(int scans, const FreeSpaceSum& evidence, const DecisionOptions& options);
 
 }  // namespace toss
