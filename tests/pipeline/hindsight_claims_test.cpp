@@ -24,7 +24,7 @@ struct Case {
   double voxelSize = 0.1;
   MotionClass motion = MotionClass::Strong;
   /// Scans that saw it so far, and cells of it that were looked at and seen through.
-  int sightings = 10, cells = 0, free = 0;
+  int sightings = 5, cells = 0, free = 0;
   DecisionOptions options;
 };
 
@@ -196,12 +196,12 @@ TEST(HindsightClaims, AreMadeByWhatIsWellKnown) {
     EXPECT_EQ(at(kBirth - 1) > 0, at(kBirth + 1) > 0);
     return at(kBirth + 1) > 0;
   };
-  EXPECT_FALSE(claims(9, 0, 0));
-  EXPECT_TRUE(claims(10, 0, 0));
+  EXPECT_FALSE(claims(4, 0, 0));
+  EXPECT_TRUE(claims(5, 0, 0));
   EXPECT_FALSE(claims(2, 10, 6));
   EXPECT_TRUE(claims(2, 10, 7));
   EXPECT_FALSE(claims(2, 1, 1)) << "one cell is no evidence";
-  EXPECT_TRUE(claims(10, 10, 4));
+  EXPECT_TRUE(claims(5, 10, 4));
 }
 
 TEST(HindsightClaims, MoveOnlyWhenTheirTraceIsKnownTo) {

@@ -30,7 +30,7 @@ struct DecisionOptions : Options {
   /// Only traces that are well known do: those seen in so many scans, or of whose cells so large a
   /// share is seen through. Of what was seen once or twice the box is a guess, and often the wrong
   /// thing.
-  int claimScans = 10;
+  int claimScans = 5;
   double claimFreeShare = 0.7;
   /// Margin to the sides and top by which they do [m]. What they claim is residue: it is in no map,
   /// and its label is moving where nothing that is static was ever measured in its place.
