@@ -23,6 +23,19 @@ TEST(FusedDecision, WhatIsMeasuredAgainStaysHoweverItsTraceMoved) {
   EXPECT_EQ(MotionClass::Static, fuse(MotionClass::Strong, evidence(10, 0, 8, 0)));
 }
 
+TEST(FusedDecision, WhatIsMeasuredAgainWhereItWasFastSlidesAlong) {
+  const DecisionOptions options;
+  const auto fused = [&](const FreeSpaceSum& all, const FreeSpaceSum& whileFast) {
+    return fuseTrace(MotionClass::Strong, all, whileFast, options);
+  };
+  const FreeSpaceSum parkedFirst = evidence(40, 3, 30, 5);
+  EXPECT_EQ(MotionClass::Static, fused(parkedFirst, evidence(20, 2, 16, 3)));
+  EXPECT_EQ(MotionClass::Strong, fused(parkedFirst, evidence(20, 3, 8, 3)));
+  EXPECT_EQ(MotionClass::Strong, fused(parkedFirst, evidence(20, 4, 16, 3)));
+  EXPECT_EQ(MotionClass::Strong, fused(parkedFirst, {}));
+  EXPECT_EQ(MotionClass::Strong, fused(evidence(40, 15, 20, 15), evidence(20, 2, 16, 3)));
+}
+
 TEST(FusedDecision, DoubtfulMotionNeedsGlimpsesPastIt) {
   EXPECT_EQ(MotionClass::Static, fuse(MotionClass::Doubtful, evidence(10, 0, 1, 0)));
   EXPECT_EQ(MotionClass::Static, fuse(MotionClass::Doubtful, evidence(20, 0, 2, 3)));

@@ -12,6 +12,18 @@
 #include "ScanLabeling.h"
 
 namespace toss {
+namespace {
+
+/// Whether an object goes so fast that most views meet its place without it. Of people that is
+/// never sure: others come to where they were. What slides along with the sensor is longer.
+bool leavesItsPlace(const TrackSample* sample) {
+  if (sample == nullptr) return false;
+  constexpr double kSoon = 1.5, kShortest = 2.5;
+  const double length = std::max(sample->box.length, sample->box.width);
+  return length >= kShortest && sample->velocity.head<2>().norm() * kSoon > length;
+}
+
+}  // namespace
 
 Pipeline::Implementation::Implementation(const PipelineOptions& o, const SensorModel& sensor,
                                          std::shared_ptr<SharedMap> sharedMap)
@@ -130,7 +142,7 @@ void Pipeline::Implementation::takeEvidence(const EvidenceCells& cells, ScanReco
   for (std::size_t k = 1; k < sums.size(); ++k) {
     record.owners[k].evidence = sums[k];
     if (const TrackId track = record.owners[k].track; track != 0) {
-      traces.addFinal(track, sums[k]);
+      traces.addFinal(track, sums[k], leavesItsPlace(record.sampleOf(track)));
       voting.setTrackClass(track, traces.finalClass(track, false));
     }
   }

@@ -22,7 +22,7 @@ void TraceBook::setMotion(TrackId track, MotionClass motion) {
   if (verdict.motion == motion) return;
   verdict.motion = motion;
   verdict.live = fuseTrace(motion, evidence_[place].past, liveOptions_);
-  verdict.final = fuseTrace(motion, evidence_[place].all, options_);
+  fuseFinal(place);
 }
 
 void TraceBook::addPast(TrackId track, const FreeSpaceSum& evidence) {
@@ -32,12 +32,18 @@ void TraceBook::addPast(TrackId track, const FreeSpaceSum& evidence) {
   verdicts_[place].live = fuseTrace(verdicts_[place].motion, past, liveOptions_);
 }
 
-void TraceBook::addFinal(TrackId track, const FreeSpaceSum& evidence) {
+void TraceBook::addFinal(TrackId track, const FreeSpaceSum& evidence, bool fast) {
   const std::size_t place = placeOf(track);
-  FreeSpaceSum& all = evidence_[place].all;
-  all.add(evidence);
+  evidence_[place].all.add(evidence);
+  if (fast) evidence_[place].whileFast.add(evidence);
   ++verdicts_[place].scansWithEvidence;
-  verdicts_[place].final = fuseTrace(verdicts_[place].motion, all, options_);
+  fuseFinal(place);
+}
+
+void TraceBook::fuseFinal(std::size_t place) {
+  const Evidence& evidence = evidence_[place];
+  Verdict& verdict = verdicts_[place];
+  verdict.final = fuseTrace(verdict.motion, evidence.all, evidence.whileFast, options_);
 }
 
 MotionClass TraceBook::liveClass(TrackId track) const {

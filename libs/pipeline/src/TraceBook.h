@@ -23,9 +23,10 @@ class TraceBook {
   void setMotion(TrackId track, MotionClass motion);
   /// Counts one more scan in which the trace was seen.
   void addSighting(TrackId track) { ++verdicts_[placeOf(track)].sightings; }
-  /// Adds what past views say of one more instance of the trace (live), and what all views say.
+  /// Adds what past views say of one more instance of the trace (live), and what all views say
+  /// (final); `fast`: the trace was about to leave its place.
   void addPast(TrackId track, const FreeSpaceSum& evidence);
-  void addFinal(TrackId track, const FreeSpaceSum& evidence);
+  void addFinal(TrackId track, const FreeSpaceSum& evidence, bool fast = false);
 
   /// Class with no look-ahead.
   MotionClass liveClass(TrackId track) const;
@@ -42,7 +43,7 @@ class TraceBook {
 
  private:
   struct Evidence {
-    FreeSpaceSum past, all;
+    FreeSpaceSum past, all, whileFast;
   };
   /// The coarse class, and what is fused from it and the evidence: asked for more often than it
   /// changes.
@@ -54,6 +55,7 @@ class TraceBook {
   /// Place of a trace, made where there is none yet.
   std::size_t placeOf(TrackId track);
   const Verdict* find(TrackId track) const;
+  void fuseFinal(std::size_t place);
 
   DecisionOptions options_, liveOptions_;
   bool awaitEvidence_;

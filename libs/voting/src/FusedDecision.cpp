@@ -34,6 +34,13 @@ MotionClass fuseTrace(MotionClass motion, const FreeSpaceSum& evidence,
   return isDynamic(motion) && confirmed ? MotionClass::Strong : motion;
 }
 
+MotionClass fuseTrace(MotionClass motion, const FreeSpaceSum& evidence,
+                      const FreeSpaceSum& whileFast, const DecisionOptions& options) {
+  const bool slides = isConfirmedStanding(whileFast, options.confirmFreeShare, options) &&
+                      !isSeenThrough(evidence, options.traceFreeShare, options);
+  return slides ? MotionClass::Static : fuseTrace(motion, evidence, options);
+}
+
 bool fuseInstance(bool voted, MotionClass trace, const FreeSpaceSum& evidence,
                   const DecisionOptions& options) {
   if (isSeenThrough(evidence, options.freeShare, options)) return true;

@@ -13,6 +13,12 @@ namespace toss {
 MotionClass fuseTrace(MotionClass motion, const FreeSpaceSum& evidence,
                       const DecisionOptions& options);
 
+/// The same, where `whileFast` says what views saw of it in the scans in which it would soon have
+/// left its place: what is measured there again all the same is the visible part of a wall or rail
+/// that slides along with the sensor. Free space in all scans together stands above that.
+MotionClass fuseTrace(MotionClass motion, const FreeSpaceSum& evidence,
+                      const FreeSpaceSum& whileFast, const DecisionOptions& options);
+
 /// Verdict on one instance: `voted` is DS-Voting's label, `trace` the fused class of its trace, and
 /// `evidence` what views say about the instance alone. True = moving.
 bool fuseInstance(bool voted, MotionClass trace, const FreeSpaceSum& evidence,
