@@ -12,7 +12,7 @@ FreeSpaceSum evidence(int cells, int free, int hit, int glimpsed) {
 }
 
 MotionClass fuse(MotionClass motion, const FreeSpaceSum& sum) {
-  return fuseTrace(motion, sum, DecisionOptions());
+  return fuseTrace(motion, sum, {}, DecisionOptions());
 }
 
 TEST(FusedDecision, WhatIsSeenThroughMovesWhateverItsTraceDid) {

@@ -25,7 +25,7 @@ int moversAmongAllEvidence(Keep keep) {
              {MotionClass::Static, MotionClass::Doubtful, MotionClass::Weak}) {
           FreeSpaceSum sum;
           sum.cells = 10, sum.free = free, sum.hit = hit, sum.glimpsed = glimpsed;
-          movers += isDynamic(fuseTrace(motion, sum, options));
+          movers += isDynamic(fuseTrace(motion, sum, {}, options));
         }
   return movers;
 }

@@ -21,7 +21,7 @@ void TraceBook::setMotion(TrackId track, MotionClass motion) {
   Verdict& verdict = verdicts_[place];
   if (verdict.motion == motion) return;
   verdict.motion = motion;
-  verdict.live = fuseTrace(motion, evidence_[place].past, liveOptions_);
+  verdict.live = fuseTrace(motion, evidence_[place].past, {}, liveOptions_);
   fuseFinal(place);
 }
 
@@ -29,7 +29,7 @@ void TraceBook::addPast(TrackId track, const FreeSpaceSum& evidence) {
   const std::size_t place = placeOf(track);
   FreeSpaceSum& past = evidence_[place].past;
   past.add(evidence);
-  verdicts_[place].live = fuseTrace(verdicts_[place].motion, past, liveOptions_);
+  verdicts_[place].live = fuseTrace(verdicts_[place].motion, past, {}, liveOptions_);
 }
 
 void TraceBook::addFinal(TrackId track, const FreeSpaceSum& evidence, bool fast) {

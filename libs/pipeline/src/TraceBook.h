@@ -15,8 +15,8 @@ class TraceBook {
   TraceBook(const DecisionOptions& options, bool awaitEvidence)
       : options_(options), liveOptions_(options), awaitEvidence_(awaitEvidence) {
     liveOptions_.traceFreeShare = options.liveFreeShare;
-    unknown_.live = fuseTrace(unknown_.motion, {}, liveOptions_);
-    unknown_.final = fuseTrace(unknown_.motion, {}, options_);
+    unknown_.live = fuseTrace(unknown_.motion, {}, {}, liveOptions_);
+    unknown_.final = fuseTrace(unknown_.motion, {}, {}, options_);
   }
 
   /// Takes over the coarse class that tracking has come to.

@@ -25,20 +25,15 @@ bool isGlimpsedPast(const FreeSpaceSum& evidence, const DecisionOptions& options
 }  // namespace
 
 MotionClass fuseTrace(MotionClass motion, const FreeSpaceSum& evidence,
-                      const DecisionOptions& options) {
+                      const FreeSpaceSum& whileFast, const DecisionOptions& options) {
   if (isSeenThrough(evidence, options.traceFreeShare, options)) return MotionClass::Strong;
-  if (isConfirmedStanding(evidence, options.vetoFreeShare, options)) return MotionClass::Static;
+  if (isConfirmedStanding(evidence, options.vetoFreeShare, options) ||
+      isConfirmedStanding(whileFast, options.confirmFreeShare, options))
+    return MotionClass::Static;
   if (motion == MotionClass::Doubtful)
     return isGlimpsedPast(evidence, options) ? MotionClass::Strong : MotionClass::Static;
   const bool confirmed = isSeenThrough(evidence, options.confirmFreeShare, options);
   return isDynamic(motion) && confirmed ? MotionClass::Strong : motion;
-}
-
-MotionClass fuseTrace(MotionClass motion, const FreeSpaceSum& evidence,
-                      const FreeSpaceSum& whileFast, const DecisionOptions& options) {
-  const bool slides = isConfirmedStanding(whileFast, options.confirmFreeShare, options) &&
-                      !isSeenThrough(evidence, options.traceFreeShare, options);
-  return slides ? MotionClass::Static : fuseTrace(motion, evidence, options);
 }
 
 bool fuseInstance(bool voted, MotionClass trace, const FreeSpaceSum& evidence,

@@ -10,12 +10,9 @@ namespace toss {
 /// Class of a trace from how it moved and from what other scans saw where it was: free space alone
 /// makes it Strong, a clear hit record makes it Static, some of it confirms a Weak motion as
 /// Strong, glimpses past it confirm a Doubtful one, else motion decides (spec section 12).
-MotionClass fuseTrace(MotionClass motion, const FreeSpaceSum& evidence,
-                      const DecisionOptions& options);
-
-/// The same, where `whileFast` says what views saw of it in the scans in which it would soon have
-/// left its place: what is measured there again all the same is the visible part of a wall or rail
-/// that slides along with the sensor. Free space in all scans together stands above that.
+/// `whileFast`: the evidence of the scans in which it would soon have left its place, empty where
+/// none is known. What is measured there again all the same is the visible part of a wall or rail
+/// that slides along with the sensor, and Static too.
 MotionClass fuseTrace(MotionClass motion, const FreeSpaceSum& evidence,
                       const FreeSpaceSum& whileFast, const DecisionOptions& options);
 
