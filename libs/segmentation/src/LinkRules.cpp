@@ -13,8 +13,7 @@ constexpr float kColumnsSpanned = 2.5f, kRowsSpanned = 1.0f;
 
 float meanRowStep(const RangeImage& image) {
   if (image.elevations.size() < 2) return kSingleRowStep;
-  const float span = image.elevations.front() - image.elevations.back();
-  return std::max(1e-4f, span / static_cast<float>(image.elevations.size() - 1));
+  return std::max(1e-4f, image.meanRowSpacing());
 }
 
 }  // namespace

@@ -24,12 +24,6 @@ constexpr float kLeastOn = 0.6f, kMostUnder = 0.02f;
 /// stairs, what is no ground by itself is none.
 constexpr float kLeastGap = 3.0f;
 
-/// Angle between rows [rad]; there are several.
-double rowSpacing(const RangeImage& image) {
-  const double span = image.elevations.front() - image.elevations.back();
-  return span / (image.rows - 1);
-}
-
 /// Where the returns of a patch lie.
 struct Returns {
   std::size_t on = 0, under = 0, all = 0;
@@ -46,8 +40,8 @@ struct Returns {
     line.extend(point.head<2>());
   }
   /// `planeDistance`: of the sensor from the surface [m].
-  bool areSingleRings(double spacing, float planeDistance) const {
-    return static_cast<float>(spacing) * squaredRange >= kLeastGap * planeDistance;
+  bool areSingleRings(float spacing, float planeDistance) const {
+    return spacing * squaredRange >= kLeastGap * planeDistance;
   }
   /// `length`: least that their line has [m].
   bool areGround(float length) const {
@@ -60,8 +54,7 @@ struct Returns {
 }  // namespace
 
 bool TerrainReach::isNeeded(const RangeImage& image, const GroundOptions& options) {
-  if (options.reachRounds == 0 || image.rows < 2) return false;
-  return rowSpacing(image) > options.reachSpacing * M_PI / 180.0;
+  return options.reachRounds > 0 && image.meanRowSpacing() > options.reachSpacing * M_PI / 180.0;
 }
 
 int TerrainReach::verticesWith(Knowledge least, int node) const {
@@ -106,7 +99,7 @@ void TerrainReach::carryOnce(const NodeSorting& sorted, const UprightNeighbours&
 void TerrainReach::carryOn(const RangeImage& image, const NodeSorting& sorted,
                            const UprightNeighbours& upright, const GroundOptions& options,
                            VertexHeights& heights) {
-  rowSpacing_ = rowSpacing(image);
+  rowSpacing_ = image.meanRowSpacing();
   knowledge_.resize(heights.size());
   for (std::size_t v = 0; v < heights.size(); ++v)
     knowledge_[v] = std::isnan(heights[v]) ? Assumed : Given;

@@ -42,7 +42,7 @@ class TerrainReach {
   const TriGridField& field_;
   TerrainFit fit_;
   /// Angle between rows of the scan [rad].
-  double rowSpacing_ = 0.0;
+  float rowSpacing_ = 0.0f;
   /// What is known of each vertex, shape [vertices].
   std::vector<Knowledge> knowledge_;
 };

@@ -81,8 +81,7 @@ void RangeView::look(const RangeImage& image, const PointCloud& points,
   rows_ = image.rows;
   columns_ = std::min(mostColumns_, image.columns);
   sensorFromMap_ = mapFromSensor.inverse();
-  dense_ = rows_ > 1 && image.elevations.front() - image.elevations.back() <
-                            kDense * static_cast<float>(rows_ - 1);
+  dense_ = rows_ > 1 && image.meanRowSpacing() < kDense;
   fillRowTable(image.elevations);
   fillRanges(image, points, scratch);
   spreadAlongRows(scratch);

@@ -34,6 +34,11 @@ struct RangeImage {
            static_cast<std::size_t>(c);
   }
   std::int32_t at(int r, int c) const { return representative[pixel(r, c)]; }
+  /// Mean angle between neighbouring rows [rad], 0 where there are fewer than two.
+  float meanRowSpacing() const {
+    if (elevations.size() < 2) return 0.0f;
+    return (elevations.front() - elevations.back()) / static_cast<float>(elevations.size() - 1);
+  }
 };
 
 }  // namespace toss
