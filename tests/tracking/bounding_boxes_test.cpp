@@ -225,6 +225,7 @@ TEST(BoundingBoxes, BackgroundIsWhatIsTooLargeToMove) {
   EXPECT_TRUE(isBackground(0.5, 21.0, 1.0));
   EXPECT_TRUE(isBackground(5.0, 4.0, 8.0)) << "a tree";
   EXPECT_TRUE(isBackground(2.0, 2.0, 1.0, 3.5f)) << "a crown";
+  EXPECT_FALSE(isBackground(2.0, 2.0, 1.0, 2.2f)) << "what is seen of a truck over a car";
 }
 
 TEST(BoundingBoxes, RefusesOptionsOutOfRange) {

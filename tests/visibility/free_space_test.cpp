@@ -330,6 +330,31 @@ TEST(CellThinning, KeepsTheFirstReturnOfEachCellAndASampleOfLargeInstances) {
     EXPECT_EQ(loneCells[i], static_cast<std::size_t>(cells.loneCell[i]));
 }
 
+TEST(CellThinning, NothingIsAskedAboutWhatFloats) {
+  // Of each instance, and of what is in none, a return at 1 m and one at 4 m above ground.
+  LevelPoints points;
+  Segmentation segmentation;
+  const auto add = [&](std::int32_t instance, float x, float height) {
+    points.x.push_back(x), points.y.push_back(5.0f), points.z.push_back(height - 1.7f);
+    segmentation.instance.push_back(instance);
+    segmentation.pointClass.push_back(instance > 0 ? PointClass::Instance
+                                                   : PointClass::Unclustered);
+    segmentation.heightAboveGround.push_back(height);
+  };
+  segmentation.instanceCount = 2;
+  add(0, 1.0f, 1.0f), add(0, 3.0f, 4.0f);
+  add(1, 5.0f, 1.0f), add(1, 7.0f, 4.0f);
+  add(2, 9.0f, 3.5f), add(2, 11.0f, 4.0f);
+  groupMembers(segmentation);
+  EvidenceCells cells;
+  CellThinning(0.2, 48, 2.5).thin(points, segmentation, cells);
+  EXPECT_EQ((std::vector<float>{1.0f, 5.0f, 7.0f}), cells.x);
+  EXPECT_EQ((std::vector<std::int32_t>{0, 1, 1}), cells.instance);
+  EXPECT_EQ(std::vector<std::int32_t>{0}, cells.lonePoint);
+  CellThinning(0.2, 48).thin(points, segmentation, cells);
+  EXPECT_EQ(6u, cells.size());
+}
+
 TEST(CellThinning, CellsOfAHugeInstanceAreSpreadOverIt) {
   constexpr std::size_t kMaxCells = 40;
   constexpr double kCellSize = 0.5;

@@ -30,7 +30,7 @@ Pipeline::Implementation::Implementation(const PipelineOptions& o, const SensorM
     : options(o),
       segmenter(o.projection, o.ground, o.objects, sensor),
       tracker(o.tracking, o.motion, sharedMap->lastTrack),
-      thinning(o.visibility.cellSize, o.visibility.maxCells),
+      thinning(o.visibility.cellSize, o.visibility.maxCells, o.boxes.maxClearance),
       witness(o.visibility),
       voting(o.voting),
       traces(o.decision, o.visibility.enabled),

@@ -68,8 +68,7 @@ void GroundSegmentation::Implementation::copyToFine() {
     for (int place = first; place < first + sorted.finePerCoarse(); ++place) {
       for (const int vertex : fineField.verticesOf(sorted.fineAtPlace(place))) {
         const Eigen::Vector2f q = fineField.vertexPosition(vertex);
-        fineHeights[static_cast<std::size_t>(vertex)] =
-            -(node.normal.head<2>().dot(q) + node.offset) / node.normal.z();
+        fineHeights[static_cast<std::size_t>(vertex)] = node.planeHeight(q.x(), q.y());
       }
     }
   }
@@ -122,6 +121,7 @@ void GroundSegmentation::segment(const LevelPoints& points, const RangeImage& im
   }
   stage.labeling.label(points, stage.sorted, stage.fineField, stage.fineNodes, stage.options,
                        segmentation);
+  segmentation.nearbyGround.assign(stage.fineField, stage.fineNodes);
   stage.contacts.release(points, image, stage.options, segmentation);
 }
 

@@ -61,7 +61,7 @@ class InstanceBoxer {
     const Span heights = this->heights();
     detection.box.height = heights.length();
     detection.box.center.z() = heights.middle();
-    detection.background = isBackground(detection.box);
+    detection.background = isBackground(k, detection.box);
     return detection;
   }
 
@@ -140,10 +140,11 @@ class InstanceBoxer {
   }
   float groundBelow() const { return points_.z[lowest_] - clearance(); }
 
-  bool isBackground(const Box& box) const {
+  bool isBackground(std::int32_t k, const Box& box) const {
     const bool large = std::max(box.length, box.width) > options_.maxExtent;
     const bool tall = box.height > options_.maxHeight;
-    const bool floating = clearance() > static_cast<float>(options_.maxClearance);
+    const bool floating =
+        isFloating(k, static_cast<float>(options_.maxClearance), points_, segmentation_);
     return large || floating || (tall && box.length * box.width > options_.maxFootprint);
   }
 

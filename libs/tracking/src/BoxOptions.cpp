@@ -37,10 +37,12 @@ void visitBackground(BoxOptions& options, OptionVisitor& visitor) {
   visitor.real(
       {"max_footprint", "m^2", "footprint from which on max_height counts", "spec section 3.4"},
       options.maxFootprint, 0.0, 1e8);
-  visitor.real({"max_clearance", "m",
-                "instances that begin higher above ground are background and never tracked",
-                "half a truck seen over a car begins lower"},
-               options.maxClearance, 0.0, 10000.0);
+  visitor.real(
+      {"max_clearance", "m",
+       "instances that begin higher above ground are background: never tracked, and static "
+       "whatever other scans see through them",
+       "measured on simulated scans: trucks seen over cars begin lower"},
+      options.maxClearance, 0.0, 10000.0);
 }
 
 }  // namespace

@@ -114,7 +114,8 @@ void CellThinning::thinUnclustered(const LevelPoints& points, const Segmentation
                                    EvidenceCells& cells) {
   const std::size_t n = segmentation.pointClass.size();
   for (std::size_t i = 0; i < n; ++i)
-    if (segmentation.pointClass[i] == PointClass::Unclustered)
+    if (segmentation.pointClass[i] == PointClass::Unclustered &&
+        clearanceOf(i, points, segmentation) <= maxClearance_)
       cells.lonePoint.push_back(static_cast<std::int32_t>(i));
   startTable(cells.lonePoint.size());
   const std::int32_t* const lone = cells.lonePoint.data();
@@ -162,6 +163,7 @@ void CellThinning::thin(const LevelPoints& points, const Segmentation& segmentat
   thinUnclustered(points, segmentation, cells);
   const std::int32_t* members = segmentation.members.data();
   for (std::int32_t k = 1; k <= segmentation.instanceCount; ++k) {
+    if (isFloating(k, maxClearance_, points, segmentation)) continue;
     const std::int32_t* begin = &segmentation.memberBegin[static_cast<std::size_t>(k) - 1];
     thinInstance(points, members + begin[0], members + begin[1], k, cells);
   }

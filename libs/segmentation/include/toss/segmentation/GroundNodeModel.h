@@ -26,6 +26,10 @@ struct GroundNode {
   float heightOf(float x, float y, float z) const {
     return normal.x() * x + normal.y() * y + normal.z() * z + offset;
   }
+  /// Height of the plane at a position [m, level frame].
+  float planeHeight(float x, float y) const {
+    return -(normal.x() * x + normal.y() * y + offset) / normal.z();
+  }
 };
 
 /// A return of a node [m, level frame] with its index in the scan.

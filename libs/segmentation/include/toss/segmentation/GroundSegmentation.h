@@ -23,7 +23,8 @@ class GroundSegmentation {
 
   /// Sets Ground and BelowGround in `segmentation.pointClass` (which the projection has filled) on
   /// returns that are neither Invalid nor OutOfRange, and leaves the others Unclustered.
-  /// heightAboveGround becomes the distance from the local ground plane wherever there is one.
+  /// heightAboveGround becomes the distance from the local ground plane wherever there is one, and
+  /// nearbyGround what is known about it elsewhere.
   void segment(const LevelPoints& points, const RangeImage& image, Segmentation& segmentation);
 
   /// The field and its nodes as the last call left them, for tests and viewers.

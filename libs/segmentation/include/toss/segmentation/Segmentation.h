@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <toss/segmentation/NearbyGround.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -34,6 +36,8 @@ struct Segmentation {
   std::vector<std::int32_t> instance;
   /// Height over the local ground plane [m], NaN where no ground is known, shape [n].
   std::vector<float> heightAboveGround;
+  /// How high ground may lie where none is known.
+  NearbyGround nearbyGround;
   /// Number of instances N.
   std::int32_t instanceCount = 0;
 
@@ -42,5 +46,13 @@ struct Segmentation {
   /// Shapes [sum of sizes] and [instanceCount + 1].
   std::vector<std::int32_t> members, memberBegin;
 };
+
+/// Height of a return over the ground [m]; where none is known, the least that it can be: minus
+/// infinity where none is known nearby either.
+float clearanceOf(std::size_t point, const LevelPoints& points, const Segmentation& segmentation);
+
+/// Whether all returns of instance `k` (from 1) are more than `clearance` [m] above the ground.
+bool isFloating(std::int32_t k, float clearance, const LevelPoints& points,
+                const Segmentation& segmentation);
 
 }  // namespace toss

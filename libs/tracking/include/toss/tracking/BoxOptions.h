@@ -33,7 +33,8 @@ struct BoxOptions : Options {
   /// background: buildings and trees, while trucks and buses are lower.
   double maxHeight = 4.5, maxFootprint = 15.0;
   /// Instances that begin higher than this above ground [m] are background: crowns, signs, bridges.
-  double maxClearance = 3.0;
+  /// No views are asked about them, nor about lone returns as high; 10000 for both everywhere.
+  double maxClearance = 2.5;
 
   const char* section() const override { return "boxes"; }
   void visit(OptionVisitor& visitor) override;

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace toss {
@@ -13,10 +14,14 @@ namespace toss {
 /// Makes the cells of scans; keeps its tables from scan to scan.
 class CellThinning {
  public:
-  /// `cellSize` [m]; `maxCells`: most cells of one instance.
-  CellThinning(double cellSize, int maxCells)
+  /// `cellSize` [m]; `maxCells`: most cells of one instance. Nothing is asked about what is more
+  /// than `maxClearance` [m] above the ground, lone returns and whole instances: nothing that moves
+  /// is there, but twigs through which other views see.
+  CellThinning(double cellSize, int maxCells,
+               double maxClearance = std::numeric_limits<double>::infinity())
       : inverseSize_(static_cast<float>(1.0 / cellSize)),
-        maxCells_(static_cast<std::size_t>(maxCells)) {}
+        maxCells_(static_cast<std::size_t>(maxCells)),
+        maxClearance_(static_cast<float>(maxClearance)) {}
 
   /// Replaces `cells`; the first return of a cell stands for it, and of instances with more than
   /// the most cells every so manieth cell for all. Of an instance with over 16 returns for each of
@@ -46,6 +51,7 @@ class CellThinning {
 
   float inverseSize_;
   std::size_t maxCells_;
+  float maxClearance_;
   /// Table of cells: the key of each below the number of the round that made it. Open addressing in
   /// the first 2^(64 - shift_) slots; those of other rounds are free.
   std::vector<std::uint64_t> slots_;
