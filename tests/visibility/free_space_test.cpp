@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <random>
 #include <set>
@@ -353,6 +354,39 @@ TEST(CellThinning, NothingIsAskedAboutWhatFloats) {
   EXPECT_EQ(std::vector<std::int32_t>{0}, cells.lonePoint);
   CellThinning(0.2, 48).thin(points, segmentation, cells);
   EXPECT_EQ(6u, cells.size());
+}
+
+TEST(EvidenceCells, WhatIsFoundToFloatLaterWasNotSeenThrough) {
+  // Squares along x: ground 2 m below the sensor from 0 on, none before.
+  NearbyGround ground;
+  ground.assign(64.0, [](std::int64_t row, std::int64_t) {
+    return row >= 0 ? -2.0f : std::numeric_limits<float>::infinity();
+  });
+  EvidenceCells cells;
+  const auto add = [&](std::int32_t instance, float x, float z,
+                       float known = std::numeric_limits<float>::quiet_NaN()) {
+    cells.instance.push_back(instance);
+    cells.x.push_back(x), cells.y.push_back(0.0f), cells.z.push_back(z);
+    cells.heightAboveGround.push_back(known);
+  };
+  add(0, 5.0f, 2.0f), add(0, 5.0f, -1.0f);             // Lone: high, low.
+  add(1, 5.0f, 2.0f), add(1, 6.0f, 3.0f);              // A crown.
+  add(2, 5.0f, 2.0f), add(2, 6.0f, -1.5f);             // A tree.
+  add(3, 5.0f, 2.0f, 1.0f), add(3, 6.0f, 3.0f, 2.0f);  // On a terrace known when it was seen.
+  add(4, -60.0f, 2.0f), add(4, -60.0f, 3.0f);          // Too far from any ground.
+  for (Testimony* each : {&cells.past, &cells.later}) {
+    each->reset(cells.size());
+    each->freeViews.assign(cells.size(), 3), each->hitViews.assign(cells.size(), 1);
+    each->glimpseViews.assign(cells.size(), 2);
+  }
+  silenceFloating(ground, 2.5f, cells);
+  const std::vector<std::uint8_t> kFree{0, 3, 0, 0, 3, 3, 3, 3, 3, 3},
+      kGlimpsed{0, 2, 0, 0, 2, 2, 2, 2, 2, 2};
+  for (const Testimony* each : {&cells.past, &cells.later}) {
+    EXPECT_EQ(kFree, each->freeViews);
+    EXPECT_EQ(kGlimpsed, each->glimpseViews);
+    EXPECT_EQ(std::vector<std::uint8_t>(cells.size(), 1), each->hitViews);
+  }
 }
 
 TEST(CellThinning, CellsOfAHugeInstanceAreSpreadOverIt) {

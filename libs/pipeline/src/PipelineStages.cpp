@@ -56,6 +56,8 @@ void Pipeline::Implementation::take(FirstStages& taken) {
 }
 
 void Pipeline::Implementation::track(const PosedScan& scan) {
+  groundMemory.add(scan.time, scan.mapFromSensor.translation(),
+                   segmented.segmentation.nearbyGround);
   detectInstances(segmented.level, segmented.segmentation, scan.mapFromSensor.translation(),
                   options.boxes, detections);
   measureOcclusion(segmented.image, segmented.segmentation, detections);
@@ -133,10 +135,12 @@ void Pipeline::Implementation::setLastClasses() {
   }
 }
 
-void Pipeline::Implementation::takeEvidence(const EvidenceCells& cells, ScanRecord& record) {
+void Pipeline::Implementation::takeEvidence(EvidenceCells& cells, ScanRecord& record) {
   const auto instances =
       static_cast<std::int32_t>(std::count_if(record.owners.begin(), record.owners.end(),
                                               [](const Owner& owner) { return owner.instance; }));
+  groundMemory.recall(record.sensorPosition, options.ground.extent, recalled);
+  silenceFloating(recalled, static_cast<float>(options.boxes.maxClearance), cells);
   const std::vector<FreeSpaceSum> sums =
       sumByInstance(cells, instances, options.visibility.minFreeViews);
   for (std::size_t k = 1; k < sums.size(); ++k) {
@@ -171,7 +175,7 @@ void Pipeline::Implementation::commitComplete() {
     map.leaveBehind(record.sensorPosition);
   };
   if (options.visibility.enabled) {
-    for (const EvidenceCells& cells : witness.takeComplete(false)) {
+    for (EvidenceCells& cells : witness.takeComplete(false)) {
       takeEvidence(cells, records[committed]);
       commitNext();
     }
@@ -232,7 +236,7 @@ void Pipeline::Implementation::settleDue() {
 void Pipeline::Implementation::decideAll() {
   if (options.visibility.enabled) {
     auto record = records.begin() + static_cast<std::ptrdiff_t>(committed);
-    for (const EvidenceCells& cells : witness.takeComplete(true)) takeEvidence(cells, *record++);
+    for (EvidenceCells& cells : witness.takeComplete(true)) takeEvidence(cells, *record++);
   }
   setLastClasses();
   // Residue of the first asks for what the last leaves in the map.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <toss/pipeline/Pipeline.h>
+#include <toss/segmentation/GroundMemory.h>
 #include <toss/tracking/Tracker.h>
 #include <toss/visibility/CellThinning.h>
 #include <toss/visibility/FreeSpaceWitness.h>
@@ -57,7 +58,7 @@ struct Pipeline::Implementation {
   /// The map that all pipelines share; it begins where the first scan of any of them was taken.
   StaticMap& mapFrom(const ScanRecord& record);
   void commitDecided();
-  void takeEvidence(const EvidenceCells& cells, ScanRecord& record);
+  void takeEvidence(EvidenceCells& cells, ScanRecord& record);
   void setFinalClasses(const ScanRecord& record, bool last);
   /// The same for all scans that are left, when no more will be known.
   void setLastClasses();
@@ -83,6 +84,9 @@ struct Pipeline::Implementation {
   /// Of the present scan, and of the one before for its buffers.
   SegmentedScan segmented;
   FirstStages first;
+  /// Ground that scans so far have known, and what is known of it around one of them.
+  GroundMemory groundMemory;
+  NearbyGround recalled;
   std::vector<Detection> detections;
   std::vector<FreeSpaceSum> pastEvidence;
   std::int64_t scanNumber = 0;

@@ -7,8 +7,8 @@
 namespace toss {
 
 float clearanceOf(std::size_t point, const LevelPoints& points, const Segmentation& segmentation) {
-  const std::vector<float>& heights = segmentation.heightAboveGround;
-  if (point < heights.size() && !std::isnan(heights[point])) return heights[point];
+  const float known = segmentation.knownHeight(point);
+  if (!std::isnan(known)) return known;
   return points.z[point] - segmentation.nearbyGround.highest(points.x[point], points.y[point]);
 }
 

@@ -21,6 +21,10 @@ constexpr float kSteepest = 0.5f;
 void NearbyGround::assign(const TriGridField& field, const std::vector<GroundNode>& nodes) {
   clear(field.extent());
   takePlanes(field, nodes);
+  carryOn();
+}
+
+void NearbyGround::carryOn() {
   for (const std::ptrdiff_t way : {1, -1}) carryOn(way);
 }
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 
 namespace toss {
@@ -133,11 +132,7 @@ class InstanceBoxer {
   }
 
   /// Height above ground of the lowest point, NaN where it is not known.
-  float clearance() const {
-    return lowest_ < segmentation_.heightAboveGround.size()
-               ? segmentation_.heightAboveGround[lowest_]
-               : std::numeric_limits<float>::quiet_NaN();
-  }
+  float clearance() const { return segmentation_.knownHeight(lowest_); }
   float groundBelow() const { return points_.z[lowest_] - clearance(); }
 
   bool isBackground(std::int32_t k, const Box& box) const {

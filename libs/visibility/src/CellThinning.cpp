@@ -148,12 +148,15 @@ void CellThinning::thinInstance(const LevelPoints& points, const std::int32_t* b
   cells.instance.resize(picked_.size(), instance);
 }
 
-void CellThinning::takeCoordinates(const LevelPoints& points, EvidenceCells& cells) const {
+void CellThinning::takeCoordinates(const LevelPoints& points, const Segmentation& segmentation,
+                                   EvidenceCells& cells) const {
   const std::size_t n = picked_.size();
   cells.x.resize(n), cells.y.resize(n), cells.z.resize(n);
+  cells.heightAboveGround.resize(n);
   for (std::size_t c = 0; c < n; ++c) {
     const auto point = static_cast<std::size_t>(picked_[c]);
     cells.x[c] = points.x[point], cells.y[c] = points.y[point], cells.z[c] = points.z[point];
+    cells.heightAboveGround[c] = segmentation.knownHeight(point);
   }
 }
 
@@ -167,7 +170,7 @@ void CellThinning::thin(const LevelPoints& points, const Segmentation& segmentat
     const std::int32_t* begin = &segmentation.memberBegin[static_cast<std::size_t>(k) - 1];
     thinInstance(points, members + begin[0], members + begin[1], k, cells);
   }
-  takeCoordinates(points, cells);
+  takeCoordinates(points, segmentation, cells);
   cells.past.reset(cells.size());
   cells.later.reset(cells.size());
 }

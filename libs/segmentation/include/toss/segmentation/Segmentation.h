@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace toss {
@@ -45,6 +46,12 @@ struct Segmentation {
   /// members[memberBegin[k - 1]] .. members[memberBegin[k] - 1], ascending.
   /// Shapes [sum of sizes] and [instanceCount + 1].
   std::vector<std::int32_t> members, memberBegin;
+
+  /// heightAboveGround of a point, NaN where that is empty: without the ground stage.
+  float knownHeight(std::size_t point) const {
+    return point < heightAboveGround.size() ? heightAboveGround[point]
+                                            : std::numeric_limits<float>::quiet_NaN();
+  }
 };
 
 /// Height of a return over the ground [m]; where none is known, the least that it can be: minus

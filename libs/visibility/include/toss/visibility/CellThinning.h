@@ -47,7 +47,8 @@ class CellThinning {
                        EvidenceCells& cells);
   void thinInstance(const LevelPoints& points, const std::int32_t* begin, const std::int32_t* end,
                     std::int32_t instance, EvidenceCells& cells);
-  void takeCoordinates(const LevelPoints& points, EvidenceCells& cells) const;
+  void takeCoordinates(const LevelPoints& points, const Segmentation& segmentation,
+                       EvidenceCells& cells) const;
 
   float inverseSize_;
   std::size_t maxCells_;

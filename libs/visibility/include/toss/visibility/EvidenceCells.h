@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <toss/segmentation/NearbyGround.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -33,6 +35,8 @@ struct Testimony {
 struct EvidenceCells {
   /// Level frame of the scan [m], shape [cells].
   std::vector<float> x, y, z;
+  /// Height over the ground [m], NaN where it is not known, shape [cells].
+  std::vector<float> heightAboveGround;
   /// Instance of each cell, 0 = unclustered, shape [cells].
   std::vector<std::int32_t> instance;
   /// Testimony of the views taken before and after the scan.
@@ -82,5 +86,9 @@ struct FreeSpaceSum {
 /// Sums of each instance, shape [instanceCount + 1]; entry 0 holds the unclustered cells.
 std::vector<FreeSpaceSum> sumByInstance(const EvidenceCells& cells, std::int32_t instanceCount,
                                         int minFreeViews);
+
+/// Takes back that views saw through and past lone returns and whole instances that are more than
+/// `clearance` [m] above the ground, as far as it is known by now: twigs, mostly.
+void silenceFloating(const NearbyGround& ground, float clearance, EvidenceCells& cells);
 
 }  // namespace toss
