@@ -9,6 +9,9 @@ namespace {
 
 /// Time after which a square is seen anew: on another level of a car park, on a bridge [s].
 constexpr double kFresh = 10.0;
+/// Weight of a scan in the mean of the last ones (measured: the lowest of them finds more crowns,
+/// but where people walk up hills it loses some).
+constexpr double kWeight = 0.2;
 
 /// Square of the map whose first corner is next to a sensor, along one axis.
 std::int64_t squareAt(double sensor) {
@@ -26,7 +29,8 @@ void GroundMemory::add(double time, const Eigen::Vector3d& sensorPosition,
     Square& square = squares_[placeOf(row + r, column + c)];
     const double height = sensorPosition.z() + static_cast<double>(heightFromSensor);
     const bool fresh = square.is(row + r, column + c) && time - square.time < kFresh;
-    if (!fresh || height < square.height) square = {row + r, column + c, time, height};
+    const double mean = square.height + kWeight * (height - square.height);
+    square = {row + r, column + c, time, fresh ? mean : height};
   });
 }
 

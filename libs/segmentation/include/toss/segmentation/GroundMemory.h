@@ -17,8 +17,8 @@ class GroundMemory {
   GroundMemory();
 
   /// Adds the ground that a scan knows which was taken at `time` [s] and `sensorPosition` [m, map
-  /// frame]. The lowest of the last seconds counts: what is not ground but seems to be is higher.
-  /// Squares a multiple of 1 km apart forget each other.
+  /// frame]. Of a square the mean of its last scans counts, back to a pause of ten seconds. Squares
+  /// a multiple of 1 km apart forget each other.
   void add(double time, const Eigen::Vector3d& sensorPosition, const NearbyGround& ground);
   /// Replaces `ground` by all that is known by now within `extent` [m] of a sensor.
   void recall(const Eigen::Vector3d& sensorPosition, double extent, NearbyGround& ground) const;
@@ -30,7 +30,7 @@ class GroundMemory {
   struct Square {
     /// Which of the squares of this place it is; at first none that has ground.
     std::int64_t row = std::numeric_limits<std::int64_t>::max(), column = row;
-    /// When it was seen at that height [s, m in the map frame].
+    /// When it was last known [s], and how high it is [m, map frame].
     double time = 0.0, height = 0.0;
 
     bool is(std::int64_t r, std::int64_t c) const { return row == r && column == c; }
