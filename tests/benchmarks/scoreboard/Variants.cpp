@@ -78,6 +78,8 @@ std::vector<Variant> ablations() {
                "ground.terrain_rounds=0", "ground.subdivision=1", "ground.contact_slope=0"}),
       without("no reach", "sensors of few rows carry no terrain on along rings",
               {"ground.reach_rounds=0"}),
+      without("crowns move", "what begins high above ground can move as well",
+              {"boxes.max_clearance=10000"}),
       without("even rows", "rows by the paper's Eq. 1", {"projection.row_source=equation"}),
       without("no newborn gates", "traces seen once have no wider gates",
               {"tracking.newborn=false"}),
